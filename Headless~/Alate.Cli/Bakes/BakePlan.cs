@@ -1,5 +1,3 @@
-using System.Collections.Generic;
-using Alate.Catalogue;
 using Alate.Crowds;
 
 namespace Alate.Cli;

@@ -1,11 +1,7 @@
-using System.Collections.Generic;
-using System.IO;
 using System.Text.Encodings.Web;
 using System.Text.Json;
 using System.Text.Json.Nodes;
 using Alate.Crowds;
-using Alate.Formats;
-using Unity.Mathematics;
 
 namespace Alate.Cli;
 

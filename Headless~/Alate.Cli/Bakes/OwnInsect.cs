@@ -1,10 +1,5 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
 using Alate.Authoring;
-using Alate.Catalogue;
 using Alate.Crowds;
-using Unity.Mathematics;
 using UnityEngine;
 
 namespace Alate.Cli;

@@ -1,11 +1,4 @@
-using System;
-using System.Collections.Generic;
 using System.CommandLine;
-using System.Globalization;
-using System.IO;
-using System.Linq;
-using Alate.Catalogue;
-using Alate.Drawing;
 
 namespace Alate.Cli;
 

@@ -1,7 +1,4 @@
-using System.Collections.Generic;
 using System.CommandLine;
-using System.IO;
-using Alate.Catalogue;
 
 namespace Alate.Cli;
 

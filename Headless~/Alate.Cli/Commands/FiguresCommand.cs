@@ -1,9 +1,4 @@
-using System.Collections.Generic;
 using System.CommandLine;
-using System.IO;
-using System.Linq;
-using System.Text;
-using Alate.Catalogue;
 
 namespace Alate.Cli;
 

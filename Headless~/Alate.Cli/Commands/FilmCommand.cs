@@ -1,9 +1,4 @@
-using System.Collections.Generic;
 using System.CommandLine;
-using System.IO;
-using Alate.Catalogue;
-using Alate.Drawing;
-using Alate.Formats;
 using UnityEngine;
 
 namespace Alate.Cli;

@@ -1,6 +1,4 @@
 using System.CommandLine;
-using System.IO;
-using Alate.Catalogue;
 
 namespace Alate.Cli;
 

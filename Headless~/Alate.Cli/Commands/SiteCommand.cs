@@ -1,11 +1,6 @@
-using System.Collections.Generic;
 using System.CommandLine;
-using System.IO;
 using System.IO.Compression;
-using System.Linq;
-using System.Text;
 using System.Text.Json.Nodes;
-using Alate.Catalogue;
 
 namespace Alate.Cli;
 

@@ -1,8 +1,4 @@
-using System;
 using System.CommandLine;
-using System.Globalization;
-using System.IO;
-using System.Text;
 using Alate.Authoring;
 using Alate.Fitting;
 using UnityEngine;

@@ -1,11 +1,5 @@
-using System;
 using System.CommandLine;
-using System.Globalization;
-using System.IO;
-using System.Linq;
-using System.Text;
 using Alate.Authoring;
-using Alate.Formats;
 using UnityEngine;
 
 namespace Alate.Cli;

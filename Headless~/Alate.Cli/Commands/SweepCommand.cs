@@ -1,11 +1,4 @@
-using System.Collections.Generic;
 using System.CommandLine;
-using System.Globalization;
-using System.IO;
-using System.Linq;
-using System.Text;
-using Alate.Catalogue;
-using Alate.Drawing;
 
 namespace Alate.Cli;
 

@@ -1,12 +1,5 @@
-using System.Collections.Generic;
 using System.CommandLine;
-using System.Globalization;
-using System.IO;
-using System.Linq;
-using System.Text;
-using Alate.Catalogue;
 using Alate.Flight;
-using Alate.Formats;
 
 namespace Alate.Cli;
 

@@ -1,8 +1,4 @@
-using System.Collections.Generic;
 using System.CommandLine;
-using System.IO;
-using System.Linq;
-using System.Text;
 
 namespace Alate.Cli;
 

@@ -1,11 +1,8 @@
-using System;
 using System.CommandLine;
 using System.ComponentModel;
 using System.Diagnostics;
-using System.IO;
 using System.Threading;
 using System.Threading.Tasks;
-using Alate.Catalogue;
 
 namespace Alate.Cli;
 

@@ -1,9 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
-using Alate.Drawing;
-using Alate.Formats;
-using Unity.Mathematics;
 using UnityEngine;
 
 namespace Alate.Cli;

@@ -1,6 +1,3 @@
-using System.Collections.Generic;
-using Unity.Mathematics;
-
 namespace Alate.Cli;
 
 /// <summary>An insect in a frame of a film.</summary>

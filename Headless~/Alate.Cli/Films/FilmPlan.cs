@@ -1,6 +1,3 @@
-using System.Collections.Generic;
-using Alate.Catalogue;
-
 namespace Alate.Cli;
 
 /// <summary>A film of an insect's beat.</summary>

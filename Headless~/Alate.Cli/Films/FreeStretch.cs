@@ -1,9 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
-using Alate.Catalogue;
-using Unity.Mathematics;
-
 namespace Alate.Cli;
 
 /// <summary>

@@ -1,9 +1,3 @@
-using System;
-using System.Linq;
-using Alate.Catalogue;
-using Alate.Drawing;
-using Alate.Formats;
-using Unity.Mathematics;
 using UnityEngine;
 
 namespace Alate.Cli;

@@ -1,7 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
-
 namespace Alate.Drawing;
 
 /// <summary>One axis of a chart: from where to where, and which values have a line and a label.</summary>

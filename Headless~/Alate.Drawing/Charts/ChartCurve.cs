@@ -1,5 +1,3 @@
-using System.Collections.Generic;
-
 namespace Alate.Drawing;
 
 /// <summary>One curve of a chart.</summary>

@@ -1,7 +1,3 @@
-using System;
-using System.Collections.Generic;
-using Unity.Mathematics;
-
 namespace Alate.Drawing;
 
 /// <summary>A picture of small charts of one size in rows of three, below a heading and a legend of two lines.</summary>

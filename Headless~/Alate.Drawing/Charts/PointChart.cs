@@ -1,6 +1,5 @@
 using System.Globalization;
 using System.Text;
-using Unity.Mathematics;
 
 namespace Alate.Drawing;
 

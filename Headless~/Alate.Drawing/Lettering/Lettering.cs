@@ -1,7 +1,3 @@
-using System.Collections.Generic;
-using System.Linq;
-using Unity.Mathematics;
-
 namespace Alate.Drawing;
 
 /// <summary>

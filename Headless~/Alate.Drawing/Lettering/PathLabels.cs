@@ -1,7 +1,4 @@
-using System;
-using System.Collections.Generic;
 using System.Globalization;
-using Unity.Mathematics;
 using UnityEngine;
 
 namespace Alate.Drawing;

@@ -1,5 +1,3 @@
-using System.Collections.Generic;
-
 namespace Alate.Drawing;
 
 /// <summary>Small multiples: a column for each of several flights, a row for each of several phases, all of one scale.</summary>

@@ -1,6 +1,3 @@
-using System.Collections.Generic;
-using Unity.Mathematics;
-
 namespace Alate.Drawing;
 
 /// <summary>

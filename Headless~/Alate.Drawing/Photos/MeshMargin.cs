@@ -1,7 +1,4 @@
-using System;
-using System.Collections.Generic;
 using Alate.Geometry;
-using Unity.Mathematics;
 
 namespace Alate.Drawing;
 

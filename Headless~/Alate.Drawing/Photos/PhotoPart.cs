@@ -1,6 +1,3 @@
-using System;
-using Unity.Mathematics;
-
 namespace Alate.Drawing;
 
 /// <summary>Body or wing of an insect as photos show it.</summary>

@@ -1,7 +1,3 @@
-using System;
-using System.Collections.Generic;
-using Unity.Mathematics;
-
 namespace Alate.Drawing;
 
 /// <summary>A surface as a photo shows it: shaded and coloured again at every sample.</summary>

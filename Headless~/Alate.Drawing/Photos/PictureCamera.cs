@@ -1,5 +1,3 @@
-using Unity.Mathematics;
-
 namespace Alate.Drawing;
 
 /// <summary>Looks at the body's origin from afar, with a little perspective.</summary>

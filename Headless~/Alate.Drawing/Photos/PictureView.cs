@@ -1,5 +1,3 @@
-using System.Collections.Generic;
-
 namespace Alate.Drawing;
 
 /// <summary>A side from which insects are looked at.</summary>

@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using Unity.Mathematics;
 using UnityEngine;
 
 namespace Alate.Drawing;

@@ -1,5 +1,3 @@
-using Unity.Mathematics;
-
 namespace Alate.Drawing;
 
 /// <summary>A rectangle of the strip that shows one phase.</summary>

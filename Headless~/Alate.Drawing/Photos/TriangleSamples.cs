@@ -1,5 +1,3 @@
-using Unity.Mathematics;
-
 namespace Alate.Drawing;
 
 /// <summary>The cells of a grid whose middles a triangle covers.</summary>

@@ -1,7 +1,4 @@
-using System;
 using System.Buffers.Binary;
-using System.Linq;
-using Unity.Mathematics;
 using Unity.StandIns;
 using UnityEngine;
 

@@ -1,6 +1,4 @@
 using System.Globalization;
-using System.IO;
-using System.Text;
 using UnityEngine;
 
 namespace Alate.Formats;

@@ -1,9 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
-using System.Linq;
-using System.Text;
-
 namespace Alate.Formats;
 
 /// <summary>Writes rows with commas between their cells; a cell with a comma or a quote in it is quoted.</summary>

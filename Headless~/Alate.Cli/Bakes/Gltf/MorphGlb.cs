@@ -1,10 +1,5 @@
-using System.Collections.Generic;
-using System.IO;
-using System.Linq;
 using System.Text.Json.Nodes;
 using Alate.Crowds;
-using Alate.Formats;
-using Unity.Mathematics;
 
 namespace Alate.Cli;
 

@@ -1,8 +1,5 @@
-using System.IO;
-using System.Linq;
 using System.Text.Json.Nodes;
 using Alate.Crowds;
-using Unity.Mathematics;
 
 namespace Alate.Cli;
 

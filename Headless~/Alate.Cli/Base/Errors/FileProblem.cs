@@ -1,6 +1,3 @@
-using System;
-using System.IO;
-
 namespace Alate.Cli;
 
 /// <summary>Describes the system's errors for files that cannot be read or written.</summary>

@@ -1,5 +1,3 @@
-using System;
-
 namespace Alate.Cli;
 
 /// <summary>Error that the user can mend: its message is the one line that they see.</summary>

@@ -1,6 +1,3 @@
-using System;
-using System.IO;
-
 namespace Alate.Cli;
 
 /// <summary>A single file that a user names: it is written as a whole or stays as it was.</summary>

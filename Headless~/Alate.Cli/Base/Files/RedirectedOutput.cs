@@ -1,7 +1,3 @@
-using System;
-using System.IO;
-using System.Text;
-
 namespace Alate.Cli;
 
 /// <summary>The standard output where it is a file or a pipe: a full disk becomes a <see cref="UserException"/>.</summary>

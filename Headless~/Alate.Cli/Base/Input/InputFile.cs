@@ -1,6 +1,3 @@
-using System;
-using System.IO;
-
 namespace Alate.Cli;
 
 /// <summary>Opens files that users name: regular ones that are not larger than their kind can be.</summary>

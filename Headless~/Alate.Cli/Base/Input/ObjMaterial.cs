@@ -1,7 +1,3 @@
-using System;
-using System.IO;
-using System.Linq;
-
 namespace Alate.Cli;
 
 /// <summary>Finds the picture on a Wavefront OBJ file's material.</summary>

@@ -1,5 +1,3 @@
-using System;
-using System.IO;
 using Alate.Authoring;
 using Unity.StandIns;
 

@@ -1,7 +1,3 @@
-using System;
-using System.IO;
-using System.Text;
-
 namespace Alate.Cli;
 
 /// <summary>Reads text files that users name.</summary>

@@ -1,8 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
-using System.Text;
-
 namespace Alate.Cli;
 
 /// <summary>A measurement that is written as a chart and a table.</summary>

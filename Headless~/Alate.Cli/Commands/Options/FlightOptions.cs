@@ -1,6 +1,4 @@
 using System.CommandLine;
-using Alate.Catalogue;
-using Alate.Drawing;
 
 namespace Alate.Cli;
 

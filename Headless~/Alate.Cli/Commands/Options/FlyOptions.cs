@@ -1,8 +1,4 @@
 using System.CommandLine;
-using System.Globalization;
-using System.Linq;
-using Alate.Catalogue;
-using Alate.Drawing;
 
 namespace Alate.Cli;
 

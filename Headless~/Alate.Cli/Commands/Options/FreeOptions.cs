@@ -1,12 +1,6 @@
-using System;
-using System.Collections.Generic;
 using System.CommandLine;
 using System.CommandLine.Parsing;
-using System.Globalization;
-using System.Linq;
-using Alate.Catalogue;
 using Alate.Flight;
-using Unity.Mathematics;
 
 namespace Alate.Cli;
 

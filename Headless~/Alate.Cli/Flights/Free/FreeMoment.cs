@@ -1,5 +1,4 @@
 using Alate.Flight;
-using Unity.Mathematics;
 
 namespace Alate.Cli;
 

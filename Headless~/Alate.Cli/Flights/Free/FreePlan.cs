@@ -1,8 +1,3 @@
-using System;
-using System.Collections.Generic;
-using Alate.Catalogue;
-using Unity.Mathematics;
-
 namespace Alate.Cli;
 
 /// <summary>A free flight: who, where to, in what wind.</summary>

@@ -1,8 +1,4 @@
-using System.Collections.Generic;
-using System.Linq;
-using Alate.Catalogue;
 using Alate.Flight;
-using Unity.Mathematics;
 
 namespace Alate.Cli;
 

@@ -1,6 +1,4 @@
-using System.Collections.Generic;
 using Alate.Flight;
-using Unity.Mathematics;
 
 namespace Alate.Cli;
 

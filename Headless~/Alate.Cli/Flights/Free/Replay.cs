@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using Alate.Catalogue;
 using Alate.Flight;
 
 namespace Alate.Cli;

@@ -1,10 +1,4 @@
-using System.Collections.Generic;
-using System.IO;
-using System.Linq;
 using Alate.Authoring;
-using Alate.Catalogue;
-using Alate.Drawing;
-using Unity.Mathematics;
 using UnityEngine;
 
 namespace Alate.Cli;

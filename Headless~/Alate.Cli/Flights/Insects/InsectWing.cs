@@ -1,6 +1,3 @@
-using Alate.Catalogue;
-using Alate.Drawing;
-using Unity.Mathematics;
 using UnityEngine;
 
 namespace Alate.Cli;

@@ -1,6 +1,3 @@
-using System.Collections.Generic;
-using System.Linq;
-
 namespace Alate.Cli;
 
 /// <summary>Kinematics that a file prescribes: the motion of some or all wings of an insect.</summary>

@@ -1,5 +1,3 @@
-using Unity.Mathematics;
-
 namespace Alate.Cli;
 
 /// <summary>Placement of a wing on the body: X right, Y up, Z ahead, metres from the middle of the thorax.</summary>

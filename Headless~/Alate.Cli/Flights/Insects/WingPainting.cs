@@ -1,6 +1,4 @@
 using System.Collections.Concurrent;
-using Alate.Catalogue;
-using Alate.Drawing;
 using UnityEngine;
 
 namespace Alate.Cli;

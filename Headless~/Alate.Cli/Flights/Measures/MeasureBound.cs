@@ -1,9 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Globalization;
-using System.Linq;
-using Alate.Catalogue;
-
 namespace Alate.Cli;
 
 /// <summary>Between what a number of a wing's beat lies on real insects, or may lie here.</summary>

@@ -1,6 +1,3 @@
-using System;
-using Unity.Mathematics;
-
 namespace Alate.Cli;
 
 /// <summary>Stretch of the membrane around each vertex of a wing: the largest |l/l₀ − 1| of the edges that meet there.</summary>

@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-
 namespace Alate.Cli;
 
 /// <summary>One of the numbers of a wing's beat: what files and tables call it, and where to read it.</summary>

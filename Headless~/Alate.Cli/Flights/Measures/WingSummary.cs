@@ -1,5 +1,3 @@
-using Unity.Mathematics;
-
 namespace Alate.Cli;
 
 /// <summary>The numbers of one kind of wing over the last beat, degrees and per cent.</summary>

@@ -1,8 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Globalization;
-using Alate.Drawing;
-
 namespace Alate.Cli;
 
 /// <summary>strip.png: twelve phases of a beat, all wings and the body, from one side.</summary>

@@ -1,9 +1,3 @@
-using System;
-using System.Linq;
-using Alate.Catalogue;
-using Alate.Drawing;
-using Unity.Mathematics;
-
 namespace Alate.Cli;
 
 /// <summary>Looks of flown insects and their wings in photos.</summary>

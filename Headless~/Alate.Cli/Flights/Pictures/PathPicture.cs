@@ -1,7 +1,3 @@
-using System;
-using System.Linq;
-using Alate.Drawing;
-using Unity.Mathematics;
 using UnityEngine;
 
 namespace Alate.Cli;

@@ -1,10 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Globalization;
-using System.Linq;
-using Alate.Drawing;
-using Unity.Mathematics;
-
 namespace Alate.Cli;
 
 /// <summary>

@@ -1,5 +1,3 @@
-using System;
-
 namespace Alate.Cli;
 
 /// <summary>A number of a flight, described once: options, parameters of a sweep, sliders and messages are made of it.</summary>

@@ -1,8 +1,4 @@
-using System;
 using Alate.Benchmarks;
-using Alate.Catalogue;
-using Alate.Drawing;
-using Unity.Mathematics;
 
 namespace Alate.Cli;
 

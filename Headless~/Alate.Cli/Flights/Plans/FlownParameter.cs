@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-
 namespace Alate.Cli;
 
 /// <summary>A number that can be changed before a flight: one of a species' sliders, or one of the flight itself.</summary>

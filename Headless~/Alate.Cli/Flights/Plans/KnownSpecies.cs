@@ -1,7 +1,3 @@
-using System.Collections.Generic;
-using System.Linq;
-using Alate.Catalogue;
-
 namespace Alate.Cli;
 
 /// <summary>Species and variants by the names that users type.</summary>

@@ -1,5 +1,3 @@
-using System.Collections.Generic;
-
 namespace Alate.Cli;
 
 /// <summary>One number of a species at another value.</summary>

@@ -1,6 +1,3 @@
-using System.Collections.Generic;
-using System.Linq;
-
 namespace Alate.Cli;
 
 /// <summary>Checks of a plan's numbers that the model takes as a product with the species' own.</summary>

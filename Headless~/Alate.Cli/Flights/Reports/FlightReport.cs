@@ -1,6 +1,3 @@
-using System.IO;
-using Alate.Formats;
-
 namespace Alate.Cli;
 
 /// <summary>Flies a plan, shows how it gets on, and writes what came of it: all of the files or none.</summary>

@@ -1,10 +1,4 @@
-using System;
-using System.Collections.Generic;
-using System.Globalization;
-using System.Linq;
-using Alate.Catalogue;
 using Spectre.Console;
-using Unity.Mathematics;
 
 namespace Alate.Cli;
 

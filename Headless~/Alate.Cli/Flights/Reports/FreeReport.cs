@@ -1,10 +1,4 @@
-using System.Globalization;
-using System.IO;
-using System.Linq;
-using System.Text;
 using Alate.Flight;
-using Alate.Formats;
-using Unity.Mathematics;
 
 namespace Alate.Cli;
 

@@ -1,9 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Globalization;
-using System.Linq;
-using Unity.Mathematics;
-
 namespace Alate.Cli;
 
 /// <summary>trajectory.csv: the centre of mass, its velocity, the attitude and the beat after every step.</summary>

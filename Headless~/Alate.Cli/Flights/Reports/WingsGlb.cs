@@ -1,11 +1,4 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
-using System.Linq;
 using System.Text.Json.Nodes;
-using Alate.Drawing;
-using Alate.Formats;
-using Unity.Mathematics;
 
 namespace Alate.Cli;
 

@@ -1,6 +1,3 @@
-using System.Collections.Generic;
-using Unity.Mathematics;
-
 namespace Alate.Cli;
 
 /// <summary>Record of a flight: the last beat of every wing.</summary>

@@ -1,8 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
-using Unity.Mathematics;
-
 namespace Alate.Cli;
 
 /// <summary>

@@ -1,5 +1,3 @@
-using Unity.Mathematics;
-
 namespace Alate.Cli;
 
 /// <summary>One wing after one substep, wing frame, wing lengths, radians.</summary>

@@ -1,7 +1,3 @@
-using System;
-using System.Collections.Generic;
-using Unity.Mathematics;
-
 namespace Alate.Cli;
 
 /// <summary>One wing of the insect over its last beat.</summary>

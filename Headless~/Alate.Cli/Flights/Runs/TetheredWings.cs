@@ -1,7 +1,4 @@
-using System;
-using System.Collections.Generic;
 using Unity.Collections;
-using Unity.Mathematics;
 
 namespace Alate.Cli;
 

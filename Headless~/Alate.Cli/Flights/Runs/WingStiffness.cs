@@ -1,7 +1,3 @@
-using System;
-using System.Linq;
-using Unity.Mathematics;
-
 namespace Alate.Cli;
 
 /// <summary>

@@ -1,10 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
-using Alate.Catalogue;
-using Alate.Formats;
-using Unity.Mathematics;
-
 namespace Alate.Cli;
 
 /// <summary>An insect on the spot that is stepped as its viewer's time passes and tells how it is.</summary>

@@ -1,10 +1,4 @@
-using System;
-using System.IO;
-using System.Linq;
-using System.Text;
 using Alate.Authoring;
-using Alate.Catalogue;
-using Alate.Drawing;
 using Alate.Fitting;
 using Unity.StandIns;
 using UnityEngine;

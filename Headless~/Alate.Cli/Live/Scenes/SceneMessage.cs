@@ -1,11 +1,5 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using System.Runtime.InteropServices;
 using System.Text.Json.Nodes;
-using Alate.Catalogue;
-using Alate.Formats;
-using Unity.Mathematics;
 using UnityEngine;
 
 namespace Alate.Cli;

@@ -1,7 +1,3 @@
-using System;
-using System.Collections.Generic;
-using Alate.Catalogue;
-
 namespace Alate.Cli;
 
 /// <summary>Settings of what a page shows: an insect and how it flies.</summary>

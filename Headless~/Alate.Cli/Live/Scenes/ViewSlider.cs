@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-
 namespace Alate.Cli;
 
 /// <summary>A number that the page can change while the insect flies.</summary>

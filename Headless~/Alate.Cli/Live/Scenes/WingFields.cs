@@ -1,6 +1,3 @@
-using System;
-using Unity.Mathematics;
-
 namespace Alate.Cli;
 
 /// <summary>Fields on the mesh of one wing: its stretch, and the angle at which it meets the air.</summary>

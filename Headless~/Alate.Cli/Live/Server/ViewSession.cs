@@ -1,12 +1,8 @@
-using System;
-using System.IO;
 using System.Net.WebSockets;
-using System.Text;
 using System.Text.Json.Nodes;
 using System.Threading;
 using System.Threading.Channels;
 using System.Threading.Tasks;
-using Alate.Catalogue;
 
 namespace Alate.Cli;
 

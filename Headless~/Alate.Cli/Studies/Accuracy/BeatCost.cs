@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using Alate.Benchmarks;
 
 namespace Alate.Cli;

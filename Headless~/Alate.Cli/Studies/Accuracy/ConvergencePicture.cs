@@ -1,8 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
-using Alate.Drawing;
-
 namespace Alate.Cli;
 
 /// <summary>convergence.svg: error over cost, a chart for each species, both schemes.</summary>

@@ -1,5 +1,3 @@
-using System.Collections.Generic;
-
 namespace Alate.Cli;
 
 /// <summary>Insects to measure, with the numbers of substeps.</summary>

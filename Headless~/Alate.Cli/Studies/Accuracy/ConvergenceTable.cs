@@ -1,9 +1,3 @@
-using System.Collections.Generic;
-using System.Globalization;
-using System.IO;
-using System.Linq;
-using Alate.Formats;
-
 namespace Alate.Cli;
 
 /// <summary>convergence.csv: one row for each kind of wing, scheme and number of substeps; and the tables of the terminal.</summary>

@@ -1,6 +1,3 @@
-using System;
-using Unity.Mathematics;
-
 namespace Alate.Cli;
 
 /// <summary>Measures the distance between the joints of two flights of one wing at equal phase.</summary>

@@ -1,6 +1,3 @@
-using System.Collections.Generic;
-using System.Linq;
-
 namespace Alate.Cli;
 
 /// <summary>One insect by one model at several numbers of substeps, and at so many that more would change nothing.</summary>

@@ -1,7 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
-
 namespace Alate.Cli;
 
 /// <summary>Error against cost for every kind of wing of an insect, and its numbers beside their limits.</summary>

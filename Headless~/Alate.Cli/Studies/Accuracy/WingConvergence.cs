@@ -1,6 +1,3 @@
-using System.Collections.Generic;
-using System.Linq;
-
 namespace Alate.Cli;
 
 /// <summary>Convergence of one kind of wing.</summary>

@@ -1,7 +1,3 @@
-using System.Collections.Generic;
-using System.Linq;
-using Alate.Catalogue;
-
 namespace Alate.Cli;
 
 /// <summary>Measures of one column of the model, with the distance of its wings from those of the full model.</summary>

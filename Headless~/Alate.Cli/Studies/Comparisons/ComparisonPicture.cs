@@ -1,10 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Globalization;
-using System.Linq;
-using Alate.Catalogue;
-using Alate.Drawing;
-
 namespace Alate.Cli;
 
 /// <summary>SPECIES.png: a column for each part of the model, a row for each phase, and the numbers below each column.</summary>

@@ -1,7 +1,3 @@
-using System.Collections.Generic;
-using System.Linq;
-using Alate.Catalogue;
-
 namespace Alate.Cli;
 
 /// <summary>Insects to compare, with the columns of the model.</summary>

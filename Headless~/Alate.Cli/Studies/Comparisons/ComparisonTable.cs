@@ -1,9 +1,3 @@
-using System.Collections.Generic;
-using System.Globalization;
-using System.IO;
-using System.Linq;
-using Alate.Formats;
-
 namespace Alate.Cli;
 
 /// <summary>compare.csv: one row for each species, kind of wing and column.</summary>

@@ -1,9 +1,3 @@
-using System.Collections.Generic;
-using System.Globalization;
-using System.IO;
-using System.Linq;
-using Alate.Formats;
-
 namespace Alate.Cli;
 
 /// <summary>free-flight.csv: each insect on the spot by the full model, as the paper has it, and in free flight by its own wings.</summary>

@@ -1,5 +1,3 @@
-using Unity.Mathematics;
-
 namespace Alate.Cli;
 
 /// <summary>Distance between two flights of one wing at equal phase, over all vertices and a beat, per cent of the wing's length.</summary>

@@ -1,7 +1,3 @@
-using System.Collections.Generic;
-using System.Linq;
-using Alate.Catalogue;
-
 namespace Alate.Cli;
 
 /// <summary>Pictures and tables of the documentation's page of accuracy: all species, standard variants.</summary>

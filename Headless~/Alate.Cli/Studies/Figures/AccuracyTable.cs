@@ -1,7 +1,3 @@
-using System.Collections.Generic;
-using System.Globalization;
-using System.Linq;
-
 namespace Alate.Cli;
 
 /// <summary>The tables of the documentation's page of accuracy, a row for each kind of wing.</summary>

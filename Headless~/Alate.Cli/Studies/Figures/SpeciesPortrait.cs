@@ -1,6 +1,3 @@
-using System.Linq;
-using Alate.Drawing;
-
 namespace Alate.Cli;
 
 /// <summary>A species at three phases of its beat.</summary>

@@ -1,7 +1,3 @@
-using System.Collections.Generic;
-using System.Linq;
-using System.Text;
-
 namespace Alate.Cli;
 
 /// <summary>Rows as a Markdown table; the first is its head.</summary>

@@ -1,5 +1,3 @@
-using System;
-
 namespace Alate.Cli;
 
 /// <summary>A part of a page that a command writes: what stands between two marks that name it.</summary>

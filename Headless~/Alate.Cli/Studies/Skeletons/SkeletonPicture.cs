@@ -1,10 +1,4 @@
-using System;
-using System.Collections.Generic;
-using System.Globalization;
-using System.Linq;
-using System.Text;
 using Alate.Fitting;
-using Unity.Mathematics;
 using UnityEngine;
 
 namespace Alate.Cli;

@@ -1,8 +1,5 @@
-using System.Collections.Generic;
-using System.IO;
 using System.Text.Encodings.Web;
 using System.Text.Json;
-using Alate.Catalogue;
 
 namespace Alate.Cli;
 

@@ -1,8 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
-using Alate.Catalogue;
-
 namespace Alate.Cli;
 
 /// <summary>Flies one insect again and again with one number changed.</summary>

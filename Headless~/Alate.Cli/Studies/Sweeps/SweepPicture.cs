@@ -1,8 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
-using Alate.Drawing;
-
 namespace Alate.Cli;
 
 /// <summary>sweep.png, the insect at some phases for each value, and sweep.svg, charts of what was measured over all values.</summary>

@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-
 namespace Alate.Cli;
 
 /// <summary>Parameter to sweep, its values, and the choice of flights with the deformation wave, without it, or both.</summary>

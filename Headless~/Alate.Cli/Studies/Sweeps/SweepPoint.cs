@@ -1,5 +1,3 @@
-using System.Collections.Generic;
-
 namespace Alate.Cli;
 
 /// <summary>Measures at one value of the parameter.</summary>

@@ -1,9 +1,3 @@
-using System.Collections.Generic;
-using System.Globalization;
-using System.IO;
-using System.Linq;
-using Alate.Formats;
-
 namespace Alate.Cli;
 
 /// <summary>sweep.csv: one row for each value, kind of wing, and with or without the wave.</summary>

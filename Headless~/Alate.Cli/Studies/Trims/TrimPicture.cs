@@ -1,9 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
-using Alate.Catalogue;
-using Alate.Drawing;
-
 namespace Alate.Cli;
 
 /// <summary>Trim curves over the speed, a line a climb.</summary>

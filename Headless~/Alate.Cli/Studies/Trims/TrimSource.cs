@@ -1,9 +1,3 @@
-using System;
-using System.IO;
-using System.Linq;
-using System.Text;
-using Alate.Catalogue;
-
 namespace Alate.Cli;
 
 /// <summary>Writes a trim table into the package's sources.</summary>

@@ -1,7 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
-
 namespace Alate.Cli;
 
 /// <summary>A quantity over one beat, straight between the frames, over the end of the beat too.</summary>

@@ -1,7 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
-using Alate.Catalogue;
 using Alate.Flight;
 
 namespace Alate.Cli;

@@ -1,10 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.IO;
-using System.Linq;
-using Alate.Catalogue;
-using Unity.Mathematics;
-
 namespace Alate.Cli;
 
 /// <summary>A published flight flown with the wings of the catalogue's dragonfly at the published sizes, steady and settled.</summary>

@@ -1,6 +1,3 @@
-using System;
-using System.Collections.Generic;
-
 namespace Alate.Cli;
 
 /// <summary>A published flight of a dragonfly: its conditions, the sizes of the insect, and the file with its kinematics.</summary>

@@ -1,6 +1,4 @@
-using System;
 using System.Numerics;
-using Unity.Mathematics;
 using UnityEngine;
 
 namespace Alate.Cli;

@@ -1,8 +1,4 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
 using System.Numerics;
-using Alate.Catalogue;
 
 namespace Alate.Cli;
 

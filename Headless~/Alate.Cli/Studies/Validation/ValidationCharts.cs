@@ -1,8 +1,3 @@
-using System.Collections.Generic;
-using System.Linq;
-using Alate.Drawing;
-using Unity.Mathematics;
-
 namespace Alate.Cli;
 
 /// <summary>The curves of all comparisons over the beat, SVG.</summary>

@@ -1,5 +1,3 @@
-using System.Collections.Generic;
-
 namespace Alate.Cli;
 
 /// <summary>A quantity over the beat, at t/T = 0, 1/n, …</summary>

@@ -1,8 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
-using Alate.Catalogue;
-
 namespace Alate.Cli;
 
 /// <summary>An insect in winds of several speeds, by today's model and by version 0.1.</summary>

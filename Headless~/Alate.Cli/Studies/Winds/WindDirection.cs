@@ -1,7 +1,3 @@
-using System.Collections.Generic;
-using System.Linq;
-using Unity.Mathematics;
-
 namespace Alate.Cli;
 
 /// <summary>A side from which wind comes upon a right wing.</summary>

@@ -1,6 +1,3 @@
-using System.Collections.Generic;
-using Alate.Catalogue;
-
 namespace Alate.Cli;
 
 /// <summary>Largest stretch of an edge that a wing may have up to some wind.</summary>

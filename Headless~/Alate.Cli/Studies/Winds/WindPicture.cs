@@ -1,10 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Globalization;
-using System.Linq;
-using Alate.Catalogue;
-using Alate.Drawing;
-
 namespace Alate.Cli;
 
 /// <summary>wind.svg: stretch over the speed of the wind, a chart for each species, today's model and version 0.1.</summary>

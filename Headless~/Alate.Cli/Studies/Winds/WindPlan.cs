@@ -1,6 +1,3 @@
-using System.Collections.Generic;
-using Alate.Catalogue;
-
 namespace Alate.Cli;
 
 /// <summary>Insects and the winds they meet.</summary>

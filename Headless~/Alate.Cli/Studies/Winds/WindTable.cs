@@ -1,8 +1,3 @@
-using System.Collections.Generic;
-using System.Globalization;
-using System.IO;
-using Alate.Formats;
-
 namespace Alate.Cli;
 
 /// <summary>wind.csv: one row for each kind of wing, model and speed; and the tables of the terminal.</summary>

@@ -1,8 +1,3 @@
-using System;
-using System.Collections.Generic;
-using System.Linq;
-using Unity.Mathematics;
-
 namespace Alate.Cli;
 
 /// <summary>Measures one kind of wing in winds from all sides, which blow in one world.</summary>

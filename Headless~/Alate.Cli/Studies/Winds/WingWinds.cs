@@ -1,5 +1,3 @@
-using System.Collections.Generic;
-
 namespace Alate.Cli;
 
 /// <summary>One kind of wing in wind.</summary>
