@@ -41,7 +41,14 @@ internal sealed class FreeStretch
         double frequency = TetheredFlight.Fly(FlightPlan.Cruise(insect, InsectVariant.Flight)).Wings[0].Frequency;
         double step = math.clamp(1.0 / (frequency * plan.Frames), 0.001, 0.05);
         var flight =
-            new FreePlan { Insect = insect, WanderSeed = k_Seed, Step = step, Seconds = k_Start + (plan.Beats + 1) * plan.Frames * step };
+            new FreePlan
+            {
+                Insect = insect,
+                Pilot = FreePilot.Wander,
+                Seed = k_Seed,
+                Step = step,
+                Seconds = k_Start + (plan.Beats + 1) * plan.Frames * step,
+            };
         return new FreeStretch(plan, FreeRun.Fly(flight, _ => { }));
     }
 

@@ -116,7 +116,7 @@ namespace Alate.Tests.Cli
 
             FreePlan plan = options.Plan(command.Parse("--free --pilot wander --seed 7"), "monarch", 1, "out");
 
-            Assert.That(plan.WanderSeed, Is.EqualTo(7));
+            Assert.That((plan.Pilot, plan.Seed), Is.EqualTo((FreePilot.Wander, 7)));
         }
 
         [Test]
@@ -132,7 +132,7 @@ namespace Alate.Tests.Cli
 
         private static string[] Track(int seed)
         {
-            var plan = new FreePlan { Insect = InsectCatalogue.Find("monarch"), WanderSeed = seed, Seconds = 0.3 };
+            var plan = new FreePlan { Insect = InsectCatalogue.Find("monarch"), Pilot = FreePilot.Wander, Seed = seed, Seconds = 0.3 };
             return [.. TrajectoryTable.Of(FreeRun.Fly(plan, _ => { })).Select(row => string.Join(",", row))];
         }
 

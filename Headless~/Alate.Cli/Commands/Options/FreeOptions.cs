@@ -7,8 +7,6 @@ namespace Alate.Cli;
 /// <summary>The options of <c>fly --free</c>.</summary>
 internal sealed class FreeOptions
 {
-    private static readonly string[] s_Pilots = ["hover", "goto", "points", "wander"];
-
     private const int k_MostPoints = 1000;
     private const double k_DefaultSeconds = 10;
 
@@ -16,7 +14,7 @@ internal sealed class FreeOptions
         new("--free") { Description = "The wings carry the insect: a flight of its own, not on the spot." };
     private readonly Option<string> m_Pilot = new("--pilot")
     {
-        HelpName = "hover|goto|points|wander",
+        HelpName = string.Join('|', FreePilot.All.Select(pilot => pilot.Name)),
         Description = "With --free: where to. [default: hover, goto with --to, points with --points]",
     };
     private readonly Option<double[]> m_To = Numbers.Vector(FlightNumbers.To);
@@ -75,8 +73,9 @@ internal sealed class FreeOptions
             Insect = KnownSpecies.Find(
                 species ?? throw new UserException($"Which species? Known: {string.Join(", ", InsectCatalogue.Names)}."),
                 InsectVariant.Flight),
-            Points = PointsOf(parsed, out bool wanders),
-            WanderSeed = wanders ? parsed.GetValue(m_Seed) ?? (int)FlightNumbers.Seed.Default : null,
+            Pilot = PilotOf(parsed),
+            Points = PointsOf(parsed),
+            Seed = parsed.GetValue(m_Seed) ?? (int)FlightNumbers.Seed.Default,
             Seconds = Math.Max(seconds ?? k_DefaultSeconds, parsed.GetValue(m_Step)),
             Gust = gust is { Length: 3 } ? new float3((float)gust[0], (float)gust[1], (float)gust[2]) : default,
             Aid = parsed.GetValue(m_Aid),
@@ -108,32 +107,23 @@ internal sealed class FreeOptions
     private static string Said(OptionResult option) =>
         string.Join(' ', option.Tokens.Select(token => token.Value).Prepend(option.Option.Name));
 
-    private List<float3> PointsOf(ParseResult parsed, out bool wanders)
+    private FreePilot PilotOf(ParseResult parsed)
     {
-        double[] to = parsed.GetValue(m_To);
-        string file = parsed.GetValue(m_Points);
-        string pilot = parsed.GetValue(m_Pilot) ?? (file != null ? "points" : to is { Length: 3 } ? "goto" : "hover");
-        if (!s_Pilots.Contains(pilot))
-            throw new UserException($"--pilot takes {string.Join(", ", s_Pilots.SkipLast(1))} or {s_Pilots[^1]}, not {Quote.Of(pilot)}.");
-        wanders = pilot == "wander";
-        if (!wanders && parsed.GetValue(m_Seed) != null)
-            throw new UserException($"--seed needs --pilot wander, not {pilot}.");
-        if ((pilot != "points" && file != null) || (pilot != "goto" && to is { Length: 3 }))
-            throw new UserException($"--pilot {pilot} takes no {(pilot != "points" && file != null ? "--points" : "--to")}.");
-        switch (pilot)
-        {
-            case "hover":
-                return [default];
-            case "goto":
-                return to is { Length: 3 }
-                    ? [new float3((float)to[0], (float)to[1], (float)to[2])]
-                    : throw new UserException("--pilot goto needs --to X,Y,Z.");
-            case "points":
-                return file == null ? throw new UserException("--pilot points needs --points FILE.") : Read(file);
-            default:
-                return [];
-        }
+        FreePilot implied = FreePilot.All.FirstOrDefault(one => one.NeedsIt && IsGiven(parsed, OptionOf(one))) ?? FreePilot.Hover;
+        FreePilot pilot = parsed.GetValue(m_Pilot) is { } name ? FreePilot.Find(name) : implied;
+        if (pilot.NeedsIt && !IsGiven(parsed, OptionOf(pilot)))
+            throw new UserException($"--pilot {pilot.Name} needs {pilot.Takes} {OptionOf(pilot).HelpName}.");
+        FreePilot other = FreePilot.All.FirstOrDefault(one => one != pilot && one.Takes != null && IsGiven(parsed, OptionOf(one)));
+        return other == null
+            ? pilot
+            : throw new UserException($"--pilot {pilot.Name} takes no {other.Takes}; it goes with --pilot {other.Name}.");
     }
+
+    private Option OptionOf(FreePilot pilot) => Flown.First(option => option.Name == pilot.Takes);
+
+    private List<float3> PointsOf(ParseResult parsed) => parsed.GetValue(m_Points) is { } file ? Read(file)
+        : parsed.GetValue(m_To) is { Length: 3 } to ? [new float3((float)to[0], (float)to[1], (float)to[2])]
+        : [];
 
     private static List<float3> Read(string file)
     {

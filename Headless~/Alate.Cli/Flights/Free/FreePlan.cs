@@ -5,11 +5,13 @@ internal sealed record FreePlan
 {
     public InsectDefinition Insect { get; init; }
 
-    /// <summary>Places to fly to one after the other, metres from the start; the last is held. One at the start hovers.</summary>
-    public IReadOnlyList<float3> Points { get; init; }
+    public FreePilot Pilot { get; init; } = FreePilot.Hover;
 
-    /// <summary>Seed of an erratic track that is flown in place of <see cref="Points"/>; null flies those.</summary>
-    public int? WanderSeed { get; init; }
+    /// <summary>Places that the pilot visits one after the other, metres from the start; the last is held.</summary>
+    public IReadOnlyList<float3> Points { get; init; } = [];
+
+    /// <summary>Seed of an erratic track.</summary>
+    public int Seed { get; init; } = (int)FlightNumbers.Seed.Default;
 
     public double Seconds { get; init; } = 10;
 

@@ -15,7 +15,7 @@ internal static class FreeRun
                 $"The {plan.Insect.DisplayName} has no trim table: 'trim {plan.Insect.Name}' says at which speeds it flies.");
         FlightRecording recording = plan.Replay?.Recording ?? NewRecording(plan, model);
         using FreeFlight flight = recording.StartFlight(model, table);
-        IFlightPilot pilot = plan.Replay == null ? PilotOf(plan, table) : null;
+        IFlightPilot pilot = plan.Replay == null ? plan.Pilot.Create(plan, table) : null;
         var moments = new List<FreeMoment>();
         int push = 0;
         for (int step = 0; step < plan.Steps; step++)
@@ -38,14 +38,6 @@ internal static class FreeRun
         Options = plan.Options,
         Start = new FlightStart { settled = true },
     };
-
-    // What cannot stand still swims about instead.
-    private static IFlightPilot PilotOf(FreePlan plan, TrimTable table)
-    {
-        bool hovers = plan.Points is { Count: 1 } && math.all(plan.Points[0] == 0f);
-        return plan.WanderSeed is { } seed ? new CoursePilot(seed)
-            : hovers && table.Speeds[0] > 0f ? new CoursePilot(1) : new PointPilot(plan.Points);
-    }
 
     private static RecordedStep Next(FreePlan plan, FreeFlight flight, IFlightPilot pilot)
     {
