@@ -64,7 +64,7 @@ internal static class SiteCommand
     private static void Write(OutputFolder folder, Dictionary<string, string> looks, string name, ViewSettings settings)
     {
         using var insect = new SceneInsect(settings);
-        JsonObject scene = insect.Scene, look = SceneMessage.TakeLook(scene);
+        JsonObject scene = insect.Scene, look = SceneMessage.DetachLook(scene);
         string text = look.ToJsonString();
         if (!looks.TryGetValue(text, out string file))
         {

@@ -49,8 +49,9 @@ internal static class TrimCommand
         var bake = new TrimBake(model) { Log = output.WriteLine };
         using TrimTable table = bake.Bake(speeds, climbs)
             ?? throw new UserException($"The {insect.DisplayName} does not fly: {bake.Problem}");
-        File.WriteAllText(TrimSource.PathOf(insect), TrimSource.Write(insect, TrimTableText.Write(table, model.Key),
-            Asked("--speeds", speeds, TrimBake.DefaultSpeeds) + Asked("--climbs", climbs, TrimBake.DefaultClimbs)));
+        string source = TrimSource.Write(insect, TrimTableText.Write(table, model.Key),
+            Asked("--speeds", speeds, TrimBake.DefaultSpeeds) + Asked("--climbs", climbs, TrimBake.DefaultClimbs));
+        OutputFile.Write(TrimSource.PathOf(insect), stream => stream.Write(Encoding.UTF8.GetBytes(source)));
         output.WriteLine(TrimSource.PathOf(insect));
     }
 

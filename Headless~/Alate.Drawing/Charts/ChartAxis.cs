@@ -45,7 +45,7 @@ internal sealed record ChartAxis(double From, double To, bool IsLogarithmic, IRe
     }
 
     /// <summary>Place of a value along the axis: 0 its beginning, 1 its end.</summary>
-    public float Share(double value) => (float)((Scaled(value) - Scaled(From)) / (Scaled(To) - Scaled(From)));
+    public float Fraction(double value) => (float)((Scaled(value) - Scaled(From)) / (Scaled(To) - Scaled(From)));
 
     private double Scaled(double value) => IsLogarithmic ? Math.Log(value) : value;
 }

@@ -44,8 +44,8 @@ public sealed class ChartLaws
     [Test]
     public void AShare_IsThatOfTheWay_OrOfTheRatio()
     {
-        Assert.That(new ChartAxis(2.0, 10.0, false, []).Share(4.0), Is.EqualTo(0.25f));
-        Assert.That(new ChartAxis(1.0, 100.0, true, []).Share(10.0), Is.EqualTo(0.5f).Within(1e-6f));
+        Assert.That(new ChartAxis(2.0, 10.0, false, []).Fraction(4.0), Is.EqualTo(0.25f));
+        Assert.That(new ChartAxis(1.0, 100.0, true, []).Fraction(10.0), Is.EqualTo(0.5f).Within(1e-6f));
         Assert.That(ChartAxis.Logarithmic(0.03, 2.1).Ticks, Is.EqualTo(new[] { 0.02, 0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0 }).Within(1e-9));
     }
 

@@ -19,8 +19,8 @@ internal sealed class HeldFolders : IDisposable
     /// <summary>Holds back the folders that are committed from now on, in this flow of control.</summary>
     public static HeldFolders Begin() => s_Current.Value = new HeldFolders();
 
-    /// <summary>Takes a folder that is finished; false where nothing is held back.</summary>
-    public static bool Take(OutputFolder folder)
+    /// <summary>Holds a folder that is finished back; false where nothing is held back.</summary>
+    public static bool TryHold(OutputFolder folder)
     {
         HeldFolders held = s_Current.Value;
         if (held == null)

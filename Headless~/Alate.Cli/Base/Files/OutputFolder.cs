@@ -85,7 +85,7 @@ internal sealed class OutputFolder : IDisposable
     /// <exception cref="UserException">One cannot be renamed.</exception>
     public void Commit()
     {
-        m_Held = HeldFolders.Take(this);
+        m_Held = HeldFolders.TryHold(this);
         if (!m_Held)
             Rename();
     }

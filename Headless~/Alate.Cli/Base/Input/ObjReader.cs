@@ -46,7 +46,7 @@ internal sealed class ObjReader
     {
         var reader = new ObjReader(keepsSeams);
         while (reader.NextLine(text) is string line)
-            reader.Take(line);
+            reader.ReadLine(line);
         return reader.Finish();
     }
 
@@ -68,7 +68,7 @@ internal sealed class ObjReader
         return whole.Append(line).ToString();
     }
 
-    private void Take(string line)
+    private void ReadLine(string line)
     {
         int comment = line.IndexOf('#');
         string[] words = (comment < 0 ? line : line[..comment]).Split(s_Spaces, StringSplitOptions.RemoveEmptyEntries);
@@ -77,7 +77,7 @@ internal sealed class ObjReader
         switch (words[0])
         {
             case "v":
-                TakePosition(words);
+                ReadPosition(words);
                 break;
             case "vn":
                 m_Normals.Add(From(Numbers(words), default));
@@ -91,7 +91,7 @@ internal sealed class ObjReader
                 m_Library = line[(line.IndexOf("mtllib", StringComparison.Ordinal) + "mtllib".Length)..].Trim();
                 break;
             case "f":
-                TakeFace(words);
+                ReadFace(words);
                 break;
             case "l":
             case "p":
@@ -100,14 +100,14 @@ internal sealed class ObjReader
         }
     }
 
-    private void TakePosition(string[] words)
+    private void ReadPosition(string[] words)
     {
         m_Positions.Add(Numbers(words));
         if (words.Length >= 7)
             m_Colours.Add(new Color32(Byte(words[4]), Byte(words[5]), Byte(words[6]), 255));
     }
 
-    private void TakeFace(string[] words)
+    private void ReadFace(string[] words)
     {
         if (words.Length < 4)
             throw Wrong($"a face has {words.Length - 1} corner{(words.Length == 2 ? "" : "s")}, not three or more");

@@ -48,9 +48,9 @@ internal sealed class SceneInsect : IDisposable
         return false;
     }
 
-    /// <summary>Takes a wing of the viewer's own.</summary>
+    /// <summary>Puts a wing of the viewer's own on the insect.</summary>
     /// <exception cref="UserException">The file is no wing; what flew flies on.</exception>
-    public void Take(string name, byte[] content)
+    public void Wear(string name, byte[] content)
     {
         Scene = Make(Settings, OwnWing.Read(name, content));
     }

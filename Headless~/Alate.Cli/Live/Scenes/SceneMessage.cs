@@ -67,7 +67,7 @@ internal static class SceneMessage
         };
 
     /// <summary>Takes what an insect looks like out of a scene.</summary>
-    public static JsonObject TakeLook(JsonObject scene)
+    public static JsonObject DetachLook(JsonObject scene)
     {
         var look = new JsonObject();
         foreach (string name in new[] { "body", "textures", "wings" })

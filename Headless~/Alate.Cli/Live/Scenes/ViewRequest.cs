@@ -33,7 +33,7 @@ internal sealed class ViewRequest
             using var json = JsonDocument.Parse(text, new JsonDocumentOptions { MaxDepth = k_Depth });
             var request = new ViewRequest();
             foreach (JsonProperty property in json.RootElement.EnumerateObject())
-                request.Take(property);
+                request.ReadProperty(property);
             return request;
         }
         catch (Exception problem) when (problem is JsonException or InvalidOperationException or DecoderFallbackException)
@@ -73,7 +73,7 @@ internal sealed class ViewRequest
             + $"{string.Join(", ", Enum.GetValues<InsectVariant>().Select(KnownSpecies.Word))}.");
     }
 
-    private void Take(JsonProperty property)
+    private void ReadProperty(JsonProperty property)
     {
         switch (property.Name)
         {

@@ -68,7 +68,7 @@ internal sealed class ViewSession(WebSocket socket, SimulationThread simulation,
         {
             if (file != null)
             {
-                await simulation.Do(() => m_Insect.Take(request.File, file));
+                await simulation.Do(() => m_Insect.Wear(request.File, file));
                 await Send(m_Insect.Scene, stop);
             }
             else if (request.IsSave)

@@ -60,7 +60,7 @@ public sealed class PngFile
             name = System.Text.Encoding.Latin1.GetString(rest.Slice(4, 4));
             if (PngChecksum.Of(rest.Slice(4, length + 4)) != BinaryPrimitives.ReadUInt32BigEndian(rest[(8 + length)..]))
                 throw new FormatException($"it is damaged: the checksum of its part '{name}' is wrong.");
-            Take(name, rest.Slice(8, length), isFirst: at == Signature.Length);
+            ReadChunk(name, rest.Slice(8, length), isFirst: at == Signature.Length);
             at += length + 12;
         }
 
@@ -68,7 +68,7 @@ public sealed class PngFile
             throw new FormatException("it is damaged: it holds no pixels.");
     }
 
-    private void Take(string name, ReadOnlySpan<byte> content, bool isFirst)
+    private void ReadChunk(string name, ReadOnlySpan<byte> content, bool isFirst)
     {
         if (isFirst != (name == "IHDR"))
             throw new FormatException("it is damaged: its header is not where it should be.");
