@@ -29,7 +29,7 @@ internal static class MutationRun
         }
     }
 
-    /// <summary>Mutants of the rooms that were asked for, in the order of their places.</summary>
+    /// <summary>Mutants of the rooms that were asked for, by the outermost room, in the order of their places.</summary>
     public static IEnumerable<(string Room, Mutant Mutant)> Candidates(IEnumerable<Project> projects, string root, Func<string, bool> asks)
     {
         foreach (Project project in projects)
@@ -40,7 +40,7 @@ internal static class MutationRun
                 if (Rooms.Of(file) is not { } room || !asks(room))
                     continue;
                 foreach (Mutant mutant in Mutant.Of(project, tree, file))
-                    yield return (room, mutant);
+                    yield return (room.Split('/')[0], mutant);
             }
         }
     }

@@ -11,7 +11,7 @@ internal sealed class Options
         .ci/mutate [ROOM ...] [--seed N] [--count N] [--write] [--found]
           ROOM     rooms whose names begin so, in any case: Geometry, Model, Model/Forces, Editor, Cli; all without one
           --seed   draws the same mutants again; without it a seed is drawn and printed
-          --count  mutants in all, spread evenly over the rooms; 300
+          --count  mutants in all, spread evenly over the outermost rooms, one an assembly; 300
           --write  puts the table into CONTRIBUTING.md
           --found  lists also what was found, and by which test
         """;
