@@ -16,8 +16,8 @@ internal sealed class Report(IReadOnlyList<(string Room, Mutant Mutant, Verdict 
     /// <summary>Table by room, as Markdown.</summary>
     public string Table()
     {
-        var table = new StringBuilder("| room | mutants | found | survived | not reached | equivalent | score |\n");
-        table.Append("|---|---|---|---|---|---|---|\n");
+        var table = new StringBuilder("| room | mutants | found | by the hash alone | survived | not reached | equivalent | score |\n");
+        table.Append("|---|---|---|---|---|---|---|---|\n");
         foreach (IGrouping<string, (string Room, Mutant Mutant, Verdict Verdict)> room
             in results.GroupBy(result => result.Room).OrderBy(room => room.Key, StringComparer.Ordinal))
             table.Append(Row(room.Key, room.Select(result => result.Verdict.Outcome).ToList()));
@@ -54,8 +54,9 @@ internal sealed class Report(IReadOnlyList<(string Room, Mutant Mutant, Verdict 
     {
         int Count(Outcome outcome) => outcomes.Count(one => one == outcome);
         int tried = outcomes.Count - Count(Outcome.Equivalent);
-        string score = tried == 0 ? "" : $"{100.0 * Count(Outcome.Found) / tried:0} %";
-        return $"| {room} | {outcomes.Count} | {Count(Outcome.Found)} | {Count(Outcome.Survived)} "
+        int found = Count(Outcome.Found) + Count(Outcome.FoundByNumber);
+        string score = tried == 0 ? "" : $"{100.0 * found / tried:0} %";
+        return $"| {room} | {outcomes.Count} | {found} | {Count(Outcome.FoundByNumber)} | {Count(Outcome.Survived)} "
             + $"| {Count(Outcome.NotReached)} | {Count(Outcome.Equivalent)} | {score} |\n";
     }
 }

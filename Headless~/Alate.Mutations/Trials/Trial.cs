@@ -35,7 +35,7 @@ internal sealed class Trial(Coverage coverage, Func<WorkerProcess> worker)
             }
 
             if (IsSteady(failed, groups.Take(failed.Group + 1).Select(group => group.Group).ToList()))
-                return new Verdict(Outcome.Found, $"{failed.Name}: {failed.Message}");
+                return new Verdict(Coverage.IsGolden(failed.Name) ? Outcome.FoundByNumber : Outcome.Found, $"{failed.Name}: {failed.Message}");
         }
     }
 

@@ -1,8 +1,12 @@
 namespace Alate.Mutations.Trials;
 
+/// <summary>
+/// Found by a law, found by nothing but a number which the program printed once, or not found.
+/// </summary>
 internal enum Outcome
 {
     Found,
+    FoundByNumber,
     Survived,
     NotReached,
     Equivalent,
