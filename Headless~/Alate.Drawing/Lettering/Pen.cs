@@ -15,8 +15,8 @@ internal static class Pen
         for (int k = 0; k + 1 < points.Length; k++)
         {
             float2 from = points[k], to = points[k + 1], along = to - from;
-            int2 low = math.max((int2)math.floor(math.min(from, to) - pen - 1f), 0),
-                high = math.min((int2)math.ceil(math.max(from, to) + pen + 1f), size - 1);
+            int2 low = math.max((int2)math.floor(math.min(from, to) - pen), 0),
+                high = math.min((int2)math.ceil(math.max(from, to) + pen), size - 1);
             for (int y = low.y; y <= high.y; y++)
             {
                 for (int x = low.x; x <= high.x; x++)

@@ -11,7 +11,10 @@ internal static class Swaps
 {
     /// <summary>Methods that do not care which argument comes first.</summary>
     private static readonly string[] s_Symmetric =
-        ["min", "max", "dot", "distance", "distancesq", "Min", "Max", "Dot", "Distance", "Equals", "ReferenceEquals"];
+    [
+        "min", "max", "dot", "distance", "distancesq", "Min", "Max", "Dot", "Distance", "Equals", "ReferenceEquals",
+        "Trim", "TrimStart", "TrimEnd",
+    ];
 
     private static readonly Dictionary<string, string> s_Axes = new()
     {
