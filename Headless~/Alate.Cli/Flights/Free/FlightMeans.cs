@@ -50,7 +50,7 @@ internal sealed record FlightMeans(
         return Of(model, moments, command.velocity);
     }
 
-    private static FlightMeans Of(FlightModel model, List<FreeMoment> moments, float3 wanted)
+    internal static FlightMeans Of(FlightModel model, List<FreeMoment> moments, float3 wanted)
     {
         FreeMoment first = moments[0], last = moments[^1];
         double time = last.Time - first.Time;

@@ -51,7 +51,7 @@ internal sealed class FlightSummary
     public static FlightSummary Of(FlightRecord flight) => new(flight);
 
     // Of a wing over what it bears.
-    private static double Strain(WingSummary wing) =>
+    internal static double Strain(WingSummary wing) =>
         Math.Max(wing.EdgeStretchP99Pct / k_BearableP99, wing.EdgeStretchMaxPct / k_BearableMax);
 
     private static (float3 Force, float3 Moment) MeanAir(FlightRecord flight)
