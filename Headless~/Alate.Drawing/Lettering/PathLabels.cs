@@ -45,7 +45,7 @@ internal sealed class PathLabels(Color32[] pixels, int width)
 
     private void Fill(int left, int top, int wide, int high)
     {
-        for (int y = Math.Max(top, 0); y < Math.Min(top + high, pixels.Length / width); y++)
+        for (int y = Math.Max(top, 0); y < top + high; y++)
         {
             for (int x = Math.Max(left, 0); x < Math.Min(left + wide, width); x++)
                 pixels[y * width + x] = s_Ink;

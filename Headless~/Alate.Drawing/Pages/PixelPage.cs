@@ -69,7 +69,7 @@ internal sealed class PixelPage
 
         return Array.ConvertAll(pixels, pixel =>
         {
-            var bytes = (int3)math.round(255f * math.saturate(pixel));
+            var bytes = (int3)math.round(255f * pixel);
             return new Color32((byte)bytes.x, (byte)bytes.y, (byte)bytes.z, byte.MaxValue);
         });
     }

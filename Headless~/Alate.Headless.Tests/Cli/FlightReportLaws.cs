@@ -20,10 +20,15 @@ public sealed class FlightReportLaws
     // By Pythagoras: 1.5² + 0.75².
     private const double k_Speed = 1.6770509831248424;
 
+    private FlightRecord m_Flown;
+
+    [OneTimeSetUp]
+    public void Fly() => m_Flown = OddFlight.Fly();
+
     [Test]
     public void TheSummary_HasEachNumberOfTheRecord_InSixDigits()
     {
-        FlightRecord flight = OddFlight.Record;
+        FlightRecord flight = m_Flown;
         var summary = FlightSummary.Of(flight);
         using var stream = new MemoryStream();
         SummaryJson.Write(summary, stream);
@@ -81,7 +86,7 @@ public sealed class FlightReportLaws
     [Test]
     public void TheTerminal_ShowsEachNumberInItsRow_AndTheOneOfEachWingInItsColumn()
     {
-        FlightRecord flight = OddFlight.Record;
+        FlightRecord flight = m_Flown;
         var summary = FlightSummary.Of(flight);
         using var output = new StringWriter();
         new Terminal(output).ShowSummary(summary, "the folder", "a.txt", "b.txt");
@@ -150,7 +155,7 @@ public sealed class FlightReportLaws
     [Test]
     public void Forces_AreThoseOfAllWings_LiftUp_DragAgainstTheWay()
     {
-        FlightRecord flight = OddFlight.Record;
+        FlightRecord flight = m_Flown;
         IReadOnlyList<string>[] rows = [.. ForceTable.Of(flight)];
         double pitch = OddFlight.Plan.PitchDegrees * Math.PI / 180;
         // On the body: nose up by the pitch, up leans to the front, ahead looks down.
@@ -177,7 +182,7 @@ public sealed class FlightReportLaws
     [Test]
     public void Joints_StandInMetresOnTheBody_AndTheirBendsInDegrees()
     {
-        FlightRecord flight = OddFlight.Record;
+        FlightRecord flight = m_Flown;
         string[][] rows = [.. JointTable.Of(flight).Skip(1).Select(row => row.ToArray())];
         int at = 0;
         foreach (RecordedWing wing in flight.Wings)

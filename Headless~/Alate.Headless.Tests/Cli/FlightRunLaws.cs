@@ -18,6 +18,15 @@ public sealed class FlightRunLaws
     // By Pythagoras: 1.5² + 0.75².
     private const double k_Speed = 1.6770509831248424;
 
+    private FlightRecord m_Flown, m_Level;
+
+    [OneTimeSetUp]
+    public void Fly()
+    {
+        m_Flown = OddFlight.Fly();
+        m_Level = TetheredFlight.Fly(new FlightPlan { Species = "monarch" });
+    }
+
     [Test]
     public void WhatAWingMeets_IsTheWindLessItsWay_TurnedByThePitch_MirroredOnTheLeft()
     {
@@ -51,7 +60,7 @@ public sealed class FlightRunLaws
     public void AFlight_TakesAsLongAsItIsTold_AndSettlesBefore(double beats)
     {
         FlightPlan plan = new() { Species = "monarch", Substeps = 12, Patches = 64 };
-        double frequency = MonarchFlight.Level.Wings[0].Frequency;
+        double frequency = m_Level.Wings[0].Frequency;
         using var flight = new TetheredFlight(plan with { Seconds = beats / frequency }, Insect.Of(plan));
         var told = new List<int>();
         FlightRecord record = flight.Run(told.Add);
@@ -78,7 +87,7 @@ public sealed class FlightRunLaws
     [Test]
     public void TheField_IsTheLargestStretchOfTheEdgesAtAVertex_OverTheBeat()
     {
-        RecordedWing wing = MonarchFlight.Level.Wings[0];
+        RecordedWing wing = m_Level.Wings[0];
         float[] largest = new float[wing.Rest.Length];
         var field = new StretchField(wing);
         foreach (RecordedFrame frame in wing.Frames)
@@ -105,10 +114,10 @@ public sealed class FlightRunLaws
     [Test]
     public void TheStretchMap_NamesTheWorstPlace_AndHasItsScaleOfColours()
     {
-        RecordedWing wing = MonarchFlight.Level.Wings[0];
+        RecordedWing wing = m_Level.Wings[0];
         using var folder = new TemporaryFolder();
         string path = folder.PathOf("stretch.png");
-        byte[] drawn = StretchMap.Draw(MonarchFlight.Level);
+        byte[] drawn = StretchMap.Draw(m_Level);
         File.WriteAllBytes(path, drawn);
         string[] texts = PngTexts.Of(path);
         float[] largest = StretchField.Largest(wing);
@@ -146,7 +155,7 @@ public sealed class FlightRunLaws
     [Test]
     public void TheStrip_SaysTheBeatsLengthItsFrequencyAndTheSpeed()
     {
-        FlightRecord flight = OddFlight.Record;
+        FlightRecord flight = m_Flown;
         PixelPage page = BeatStrip.Compose(flight, out StripLayout layout);
         double frequency = flight.Wings[0].Frequency;
 

@@ -1,14 +1,11 @@
-using System;
 using Alate.Catalogue;
 using Alate.Cli;
 
 namespace Alate.Tests.Cli;
 
-/// <summary>A flight of four wings of two kinds of which no number has its default, flown once for all tests.</summary>
+/// <summary>A flight of four wings of two kinds of which no number has its default.</summary>
 internal static class OddFlight
 {
-    private static readonly Lazy<FlightRecord> s_Flown = new(() => TetheredFlight.Fly(Plan));
-
     public static FlightPlan Plan { get; } = new()
     {
         Species = "fishfly",
@@ -27,5 +24,5 @@ internal static class OddFlight
         Seconds = 0.5,
     };
 
-    public static FlightRecord Record => s_Flown.Value;
+    public static FlightRecord Fly() => TetheredFlight.Fly(Plan);
 }

@@ -3,6 +3,7 @@ using System.Collections.Generic;
 using System.IO;
 using System.Linq;
 using System.Text;
+using System.Text.Json.Nodes;
 using Alate.Cli;
 using Alate.Formats;
 using Alate.Tests.Bakes;
@@ -44,12 +45,12 @@ public sealed class FormatLaws
     [Test]
     public void CellsOfATable_AreQuotedWhereTheyMustBe_AndComeBack()
     {
-        string[][] rows = [["a", "b,c", "d \"e\""], ["1\n2", "", "°"]];
+        string[][] rows = [["a", "b,c", "d \"e\""], ["1\n2", "", "°"], [",", "\"", "\n"]];
         using var stream = new MemoryStream();
         CsvTable.Write(stream, rows);
         string text = Encoding.UTF8.GetString(stream.ToArray());
 
-        Assert.That(text, Is.EqualTo("a,\"b,c\",\"d \"\"e\"\"\"\n\"1\n2\",,°\n"));
+        Assert.That(text, Is.EqualTo("a,\"b,c\",\"d \"\"e\"\"\"\n\"1\n2\",,°\n\",\",\"\"\"\",\"\n\"\n"));
         Assert.That(stream.CanWrite, Is.True, "left open");
     }
 
@@ -130,6 +131,24 @@ public sealed class FormatLaws
                 "every four pixels");
         }
 
+        // Of the sixteen places of a pattern each has a threshold of its own, so that shares rise by steps (Bayer 1973).
+        Color32 low = new(100, 100, 100, 255), high = new(122, 122, 122, 255);
+        var wide = new ColourTable(low, [low, high], 255);
+        int[] shares = [.. Enumerable.Range(105, 13).Select(grey => Enumerable.Range(0, 16)
+            .Sum(k => wide.IndexOf(new Color32((byte)grey, (byte)grey, (byte)grey, 255), k % 4, k / 4)))];
+        // (3 t - 23) / 4, towards nought, of the thresholds 0 to 15: how many shift a grey beyond the middle.
+        int[] expected = [.. Enumerable.Range(105, 13).Select(grey => Enumerable.Range(0, 16).Count(t => grey + (3 * t - 23) / 4 > 111))];
+        Assert.That(shares, Is.EqualTo(expected));
+        int[,] order = { { 0, 8, 2, 10 }, { 12, 4, 14, 6 }, { 3, 11, 1, 9 }, { 15, 7, 13, 5 } };
+        for (int grey = 106; grey < 117; grey++)
+        {
+            for (int k = 0; k < 16; k++)
+            {
+                Assert.That(wide.IndexOf(new Color32((byte)grey, (byte)grey, (byte)grey, 255), k % 4, k / 4),
+                    Is.EqualTo(grey + (3 * order[k % 4, k / 4] - 23) / 4 > 111 ? 1 : 0));
+            }
+        }
+
         // Four off in one channel is near, five is not; the threshold is that of all channels together.
         foreach ((int r, int g, int b) in new[] { (4, 0, 0), (0, 4, 0), (0, 0, 4), (-4, 0, 0), (0, -4, 0), (0, 0, -4), (1, -2, 1),
             (0, 2, -2) })
@@ -179,13 +198,77 @@ public sealed class FormatLaws
 
         static double[] Factor(bool isPainted)
         {
-            System.Text.Json.Nodes.JsonObject look = GltfMaterial.Of(isPainted, true, "name");
+            JsonObject look = GltfMaterial.Of(isPainted, true, "name");
             Assert.That(((string)look["name"], (string)look["alphaMode"], (bool)look["doubleSided"]), Is.EqualTo(("name", "BLEND", true)));
             Assert.That((string)GltfMaterial.Of(isPainted, false, "name")["alphaMode"], Is.EqualTo("OPAQUE"));
-            System.Text.Json.Nodes.JsonNode shown = look["pbrMetallicRoughness"];
+            JsonNode shown = look["pbrMetallicRoughness"];
             Assert.That(((double)shown["metallicFactor"], (double)shown["roughnessFactor"]), Is.EqualTo((0.0, 0.75)), "dull, no metal");
             return [.. shown["baseColorFactor"].AsArray().Select(value => (double)value)];
         }
+    }
+
+    [TestCase(true, false, "painted", false)]
+    [TestCase(false, false, "membrane", false)]
+    [TestCase(true, true, "glass", true)]
+    public void PlainLooks_AreNamedForWhatTheyAre_AndMadeOnce(bool isPainted, bool isGlass, string name, bool blends)
+    {
+        var looks = new GlbLooks(new GlbBuffer());
+        int first = looks.Plain(isPainted, isGlass);
+        var gltf = new JsonObject();
+        looks.WriteTo(gltf);
+
+        Assert.That((first, looks.Plain(isPainted, isGlass), looks.Plain(!isPainted, isGlass)), Is.EqualTo((0, 0, 1)));
+        Assert.That((string)gltf["materials"][0]["name"], Is.EqualTo(name));
+        Assert.That((string)gltf["materials"][0]["alphaMode"], Is.EqualTo(blends ? "BLEND" : "OPAQUE"));
+        Assert.That(gltf.ContainsKey("textures") || gltf.ContainsKey("extensionsUsed"), Is.False);
+    }
+
+    // Light passes a wing that is no glass; where all is glass the file does not ask for it.
+    [TestCase(true)]
+    [TestCase(false)]
+    public void APicture_IsALookOfItsOwn_AndAsksForWhatItUses(bool isGlass)
+    {
+        var buffer = new GlbBuffer();
+        var looks = new GlbLooks(buffer);
+        byte[] png = [1, 2, 3], other = [4, 5];
+        int first = looks.Of(png, isGlass, "fore"), second = looks.Of(other, isGlass, "hind");
+        var gltf = new JsonObject();
+        looks.WriteTo(gltf);
+
+        Assert.That((first, second, looks.Of(png, isGlass, "fore")), Is.EqualTo((0, 1, 0)));
+        for (int k = 0; k < 2; k++)
+        {
+            JsonNode look = gltf["materials"][k], image = gltf["images"][k];
+            Assert.That((int)look["pbrMetallicRoughness"]["baseColorTexture"]["index"], Is.EqualTo(k));
+            Assert.That(((int)gltf["textures"][k]["source"], (int)gltf["textures"][k]["sampler"]), Is.EqualTo((k, 0)));
+            Assert.That(((string)image["name"], (string)image["mimeType"]), Is.EqualTo((k == 0 ? "fore" : "hind", "image/png")));
+            Assert.That((long)buffer.Views[(int)image["bufferView"]]["byteLength"], Is.EqualTo(k == 0 ? 3 : 2));
+            Assert.That(look["extensions"]?["KHR_materials_diffuse_transmission"]?["diffuseTransmissionFactor"] is { } passing
+                && (double)passing is > 0.1 and < 0.9, Is.EqualTo(!isGlass));
+        }
+
+        // Linear between pixels and pictures of half the size, and no pixels of the other side at the edges.
+        JsonNode sampler = gltf["samplers"][0];
+        Assert.That(((int)sampler["magFilter"], (int)sampler["minFilter"], (int)sampler["wrapS"], (int)sampler["wrapT"]),
+            Is.EqualTo((9729, 9987, 33071, 33071)));
+        Assert.That(gltf.ContainsKey("extensionsUsed"), Is.EqualTo(!isGlass));
+        if (!isGlass)
+            Assert.That((string)gltf["extensionsUsed"][0], Is.EqualTo("KHR_materials_diffuse_transmission"));
+    }
+
+    // Numbers of the specification: what a vertex has, what names vertices, and neither.
+    [Test]
+    public void Views_SayWhatTheyAreFor()
+    {
+        var buffer = new GlbBuffer();
+        buffer.AddVectors([0f]);
+        buffer.AddIndices([0, 0, 0], 1);
+        buffer.AddScalars([1f]);
+        buffer.AddPairs([new float2(1f, 2f)]);
+        buffer.AddFile([1]);
+        buffer.AddQuadruples([new float4(1f)], isVertexData: true);
+
+        Assert.That(buffer.Views.Select(view => (int?)view["target"]), Is.EqualTo(new int?[] { 34962, 34963, null, 34962, null, 34962 }));
     }
 
     [Test]

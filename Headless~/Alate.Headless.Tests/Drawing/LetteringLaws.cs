@@ -191,6 +191,20 @@ public sealed class LetteringLaws
         Assert.That(ink.Min(k => k / k_Width), Is.EqualTo(50 - 0.72 * 26.0 - 1.0).Within(1.1));
     }
 
+    [Test]
+    public void WordsOverAPicture_LeaveItsPixelsBelow()
+    {
+        const int k_Width = 200;
+        var random = new System.Random(6);
+        Color32[] bright = Blank(k_Width * 100), dim = [.. bright.Select(_ => new Color32(120, 190, 60, 255))];
+        bool[] isDim = [.. bright.Select(_ => random.Next(2) == 0)];
+        Color32[] mixed = [.. isDim.Select((below, k) => below ? dim[k] : bright[k])];
+        foreach (Color32[] picture in new[] { bright, dim, mixed })
+            new PathLabels(picture, k_Width).Title("Ox");
+
+        Assert.That(mixed, Is.EqualTo(isDim.Select((below, k) => below ? dim[k] : bright[k])));
+    }
+
     // What lies beyond a small picture is cut off.
     [Test]
     public void AScaleBar_OnATinyPicture_IsCutOff()

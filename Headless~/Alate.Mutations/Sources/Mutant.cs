@@ -17,7 +17,7 @@ internal sealed class Mutant
         Project = project;
         Change = change;
         bool constant = change.Node.AncestorsAndSelf().Any(Places.IsConstDeclaration);
-        m_Sites = new Lazy<IReadOnlyList<Change>>(() => constant ? Uses(project, change, model) : [change]);
+        m_Sites = new Lazy<IReadOnlyList<Change>>(() => constant ? Uses(project, change, model) : [change, .. Touches(project, change, model)]);
         File = file;
         FileLinePositionSpan span = change.Node.GetLocation().GetLineSpan();
         Line = span.StartLinePosition.Line + 1;
@@ -28,7 +28,10 @@ internal sealed class Mutant
 
     public Change Change { get; }
 
-    /// <summary>Places that change with it: its own, or the uses of a constant; none where a constant makes constants only.</summary>
+    /// <summary>
+    /// Places that change with it: its own, or the uses of a constant; none where a constant makes constants only. Reads of what a static
+    /// initialiser made stand behind them, unchanged.
+    /// </summary>
     public IReadOnlyList<Change> Sites => m_Sites.Value;
 
     /// <summary>Path from the root of the checkout.</summary>
@@ -65,13 +68,36 @@ internal sealed class Mutant
     /// </summary>
     private static List<Change> Uses(Project project, Change change, SemanticModel model)
     {
-        var sites = new List<Change>();
         VariableDeclaratorSyntax variable = change.Node.Ancestors().OfType<VariableDeclaratorSyntax>().First();
         ISymbol symbol = model.GetDeclaredSymbol(variable);
         ITypeSymbol type = symbol is IFieldSymbol field ? field.Type : ((ILocalSymbol)symbol).Type;
         string whole = variable.Initializer.Value.ToString();
         int at = change.Node.SpanStart - variable.Initializer.Value.SpanStart;
         string after = $"(({type.ToDisplayString()})({whole[..at]}{change.After}{whole[(at + change.Node.Span.Length)..]}))";
+        return References(project, symbol).Where(use => !Places.IsConstant(use.Use))
+            .Select(use => new Change(change.Operator, use.Use, after)).ToList();
+    }
+
+    /// <summary>
+    /// Places that read what a static initialiser made, left as they are: it runs once, before the first of the tests that stand on it, and
+    /// each of these meets the mutant where it reads.
+    /// </summary>
+    private static IEnumerable<Change> Touches(Project project, Change change, SemanticModel model)
+    {
+        SyntaxNode made = change.Node.Ancestors().FirstOrDefault(around => around is AnonymousFunctionExpressionSyntax
+            or VariableDeclaratorSyntax { Parent.Parent: FieldDeclarationSyntax } or PropertyDeclarationSyntax);
+        if (made is null or AnonymousFunctionExpressionSyntax || model.GetDeclaredSymbol(made) is not { IsStatic: true } symbol)
+            return [];
+        bool initialises = made is VariableDeclaratorSyntax
+            || made is PropertyDeclarationSyntax { Initializer: { } initialiser } && initialiser.Span.Contains(change.Node.Span);
+        return !initialises ? [] : References(project, symbol)
+            .Where(use => !made.Span.Contains(use.Use.Span) && Places.MayChange(use.Use) && !Places.IsConstant(use.Use)
+                && Places.Takes(use.Use, use.Model))
+            .Select(use => new Change(change.Operator, use.Use, use.Use.ToString()));
+    }
+
+    private static IEnumerable<(SyntaxNode Use, SemanticModel Model)> References(Project project, ISymbol symbol)
+    {
         foreach (SyntaxTree tree in project.Compilation.SyntaxTrees)
         {
             if (!tree.GetText().ToString().Contains(symbol.Name, StringComparison.Ordinal))
@@ -82,13 +108,10 @@ internal sealed class Mutant
                 if (name.Identifier.ValueText != symbol.Name)
                     continue;
                 SyntaxNode use = name.Parent is MemberAccessExpressionSyntax access && access.Name == name ? access : name;
-                if (Places.IsConstant(use) || !SymbolEqualityComparer.Default.Equals(around.GetSymbolInfo(name).Symbol, symbol))
-                    continue;
-                sites.Add(new Change(change.Operator, use, after));
+                if (SymbolEqualityComparer.Default.Equals(around.GetSymbolInfo(name).Symbol, symbol))
+                    yield return (use, around);
             }
         }
-
-        return sites;
     }
 
     private static string Short(string text) => string.Join(' ', text.Split((char[])null, StringSplitOptions.RemoveEmptyEntries));
