@@ -13,7 +13,13 @@ public sealed class FlownBeatTests
     [Test]
     public void TheBeatOfAFreeFlight_IsAtTheAttitudeSpeedAndDrive_OfItsMiddle()
     {
-        var plan = new FreePlan { Insect = InsectCatalogue.Find("monarch"), Pilot = FreePilot.GoTo, Points = [new float3(0f, 1f, 4f)], Seconds = 1.2 };
+        var plan = new FreePlan
+        {
+            Insect = InsectCatalogue.Find("monarch"),
+            Pilot = FreePilot.GoTo,
+            Points = [new float3(0f, 1f, 4f)],
+            Seconds = 1.2,
+        };
         FreeRecord record = FreeRun.Fly(plan, _ => { });
         FreeMoment middle = record.Moments[record.Moments.Count / 2];
         FlightPlan beat = record.Beat.Plan;

@@ -6,7 +6,7 @@ internal sealed class SpeciesConvergence
     private static readonly string[] s_Measures =
         ["twist_pp_deg", "camber_min_pct", "camber_max_pct", "tip_bend_pp_deg", "tip_bend_max_deg", "lag_deg", "tip_lag_deg"];
 
-    private SpeciesConvergence(FlightPlan plan, string displayName, IReadOnlyList<WingConvergence> wings)
+    internal SpeciesConvergence(FlightPlan plan, string displayName, IReadOnlyList<WingConvergence> wings)
     {
         Plan = plan;
         DisplayName = displayName;

@@ -3,7 +3,7 @@ namespace Alate.Cli;
 /// <summary>Writes a trim table into the package's sources.</summary>
 internal static class TrimSource
 {
-    private const int k_Columns = 120;
+    private const int k_Columns = 120, k_Line = 140;
 
     /// <summary>Path of an insect's table.</summary>
     public static string PathOf(InsectDefinition insect) =>
@@ -17,8 +17,9 @@ internal static class TrimSource
     {
         var source = new StringBuilder();
         source.Append("namespace Alate.Catalogue\n{\n");
-        source.Append($"    /// <summary>Trim table of the {insect.DisplayName.ToLowerInvariant()}");
-        source.Append($", made by the command line: trim {insect.Name} --bake{options}.</summary>\n");
+        string summary = $"Trim table of the {insect.DisplayName.ToLowerInvariant()}, made by the command line: "
+            + $"trim {insect.Name} --bake{options}.", line = $"    /// <summary>{summary}</summary>\n";
+        source.Append(line.Length <= k_Line + 1 ? line : $"    /// <summary>\n    /// {summary}\n    /// </summary>\n");
         source.Append($"    internal static class {NameOf(insect)}\n    {{\n        public const string Text =\n");
         for (int at = 0; at < text.Length; at += k_Columns)
         {

@@ -97,7 +97,7 @@ internal static class StructureRows
             100 * new StripRun(bones, DragonflyRows.FineSubsteps).Droop(weight), "hinges in place of a curve");
     }
 
-    private static IEnumerable<ValidationRow> Motion(string title, string moved, Complex beam, Complex ours, Complex fine)
+    internal static IEnumerable<ValidationRow> Motion(string title, string moved, Complex beam, Complex ours, Complex fine)
     {
         double size = 100 * beam.Magnitude, phase = Degrees(beam);
         yield return new ValidationRow(
