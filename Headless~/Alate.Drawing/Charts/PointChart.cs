@@ -117,7 +117,8 @@ internal sealed class PointChart
         m_Page.Line(m_X, m_Y + m_Height, m_X + m_Width, m_Y + m_Height, k_Axis);
     }
 
-    private float2 Place(ChartPoint point) => new(m_X + m_Across.Fraction(point.X) * m_Width, m_Y + (1f - m_Up.Fraction(point.Y)) * m_Height);
+    private float2 Place(ChartPoint point) =>
+        new(m_X + m_Across.Fraction(point.X) * m_Width, m_Y + (1f - m_Up.Fraction(point.Y)) * m_Height);
 
     private bool Contains(ChartPoint point) =>
         m_Across.Fraction(point.X) is >= 0f and <= 1.0001f && m_Up.Fraction(point.Y) is >= 0f and <= 1.0001f;

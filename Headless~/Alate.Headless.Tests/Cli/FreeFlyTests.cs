@@ -63,6 +63,41 @@ namespace Alate.Tests.Cli
             Assert.That(lift.Average() / monarch.Weight, Is.EqualTo(1.0).Within(0.05));
         }
 
+        [Test]
+        public void TheReport_SaysHowFarHowOffAndAtWhichPower()
+        {
+            string[][] way = Table("trajectory.csv"), air = Table("forces.csv");
+            double[] lift = Column(air, "lift_n"), power = Column(air, "power_w");
+            double off = Math.Sqrt(new[] { "vx", "vy", "vz" }.Sum(axis => Column(way, $"{axis}_m_s").Zip(Column(way, $"wanted_{axis}_m_s"),
+                (now, wanted) => (now - wanted) * (now - wanted)).Average()));
+            int half = Array.IndexOf(air[0], "half_stroke");
+            double up = lift.Where((_, k) => air[k + 1][half] == "up").Sum() / lift.Sum();
+            using FlightModel monarch = CatalogueFlight.CreateModel(InsectCatalogue.Find("monarch"));
+            string number = @"(-?[\d.]+)";
+            double[] told =
+            [
+                .. System.Text.RegularExpressions.Regex.Match(m_Run.Output,
+                    $"^Monarch: {number} s by its own wings, from the origin to {number}, {number}, {number} m; "
+                    + $"velocity off by {number} m/s \\(bob and all\\)\n"
+                    + $"mean lift {number} of the weight, {number} % of it on the upstroke; "
+                    + $"power {number} mW; aid {number} mW\n").Groups.Values.Skip(1).Select(group => double.Parse(group.Value,
+                        CultureInfo.InvariantCulture)),
+            ];
+            double[] expected =
+            [
+                4, Column(way, "x_m").Last(), Column(way, "y_m").Last(), Column(way, "z_m").Last(), off, lift.Average() / monarch.Weight,
+                    100 * up,
+                1000 * power.Average(), 1000 * Column(way, "aid_w").Average(),
+            ];
+
+            Assert.That(told, Has.Length.EqualTo(expected.Length), m_Run.Output);
+            double[] rounding = [0.01, 0.006, 0.006, 0.006, 0.0006, 0.0006, 0.6, 0.001, 0.001];
+            for (int k = 0; k < told.Length; k++)
+                Assert.That(told[k], Is.EqualTo(expected[k]).Within(rounding[k]), $"{k}");
+            Assert.That(m_Run.Output.Split('\n'), Is.SupersetOf(new[] { "trajectory.csv", "forces.csv", "path.png", "flight.glb" }
+                .Select(file => "  " + Path.Combine(m_Run.Out, file))));
+        }
+
         // The reader of the tests is as strict as a validator about chunks, views, accessors and alignment.
         [Test]
         public void Scene_IsSound_MovesTheInsect_AndBeatsItsWings()

@@ -123,7 +123,7 @@ namespace Alate.Tests.Cli
             var axis = ChartAxis.Logarithmic(least, most);
 
             Assert.That(new[] { axis.From, axis.To }, Is.EqualTo(new[] { from, to }).Within(1e-9));
-            Assert.That(axis.Ticks.Select(axis.Share), Is.Ordered.Ascending.And.All.InRange(0f, 1f));
+            Assert.That(axis.Ticks.Select(axis.Fraction), Is.Ordered.Ascending.And.All.InRange(0f, 1f));
         }
 
         private static string[][] Rows(CommandRun run) =>

@@ -17,7 +17,8 @@ internal sealed class Mutant
         Project = project;
         Change = change;
         bool constant = change.Node.AncestorsAndSelf().Any(Places.IsConstDeclaration);
-        m_Sites = new Lazy<IReadOnlyList<Change>>(() => constant ? Uses(project, change, model) : [change, .. Touches(project, change, model)]);
+        m_Sites = new Lazy<IReadOnlyList<Change>>(
+            () => constant ? Uses(project, change, model) : [change, .. Touches(project, change, model)]);
         File = file;
         FileLinePositionSpan span = change.Node.GetLocation().GetLineSpan();
         Line = span.StartLinePosition.Line + 1;
