@@ -1,6 +1,8 @@
+using System;
 using System.Globalization;
 using System.IO;
 using System.Linq;
+using Alate.Cli;
 using NUnit.Framework;
 
 namespace Alate.Tests.Cli
@@ -76,7 +78,7 @@ namespace Alate.Tests.Cli
         {
             string[][] rows = File.ReadAllLines(Path.Combine(m_Run.Out, "free-flight.csv")).Select(line => line.Split(',')).ToArray();
             double Of(string species, string flight, string measure) =>
-                double.Parse(rows.Single(row => row[0] == species && row[1] == flight)[System.Array.IndexOf(rows[0], measure)],
+                double.Parse(rows.Single(row => row[0] == species && row[1] == flight)[Array.IndexOf(rows[0], measure)],
                     CultureInfo.InvariantCulture);
 
             Assert.That(rows, Has.Length.EqualTo(1 + 2 * 2));
@@ -92,6 +94,89 @@ namespace Alate.Tests.Cli
             Assert.That(m_Run.Output, Does.Contain("Monarch: by its own wings"));
         }
 
+        [TestCase("monarch", "Monarch", "wing")]
+        [TestCase("fishfly", "Fishfly", "fore wing", "hind wing")]
+        public void Picture_SaysTheNumbersOfTheTable_ColumnByColumn(string species, string name, params string[] wings)
+        {
+            string[] texts = PngTexts.Of(Path.Combine(m_Run.Out, species + ".png"));
+            (string Title, string Key)[] measures =
+            [
+                ("twist", "twist_pp_deg"), ("camber", null), ("tip bend", "tip_bend_pp_deg"), ("lag", "lag_deg"),
+                    ("stretch", "edge_stretch_max_pct"),
+                ("off full", "distance_from_full_mean_pct"),
+            ];
+            double Told(string text) => double.Parse(text.Replace('−', '-'), CultureInfo.InvariantCulture);
+            string[] titles = ["Rigid wing", "No deformation wave", "Full model", "Elasticity × 4"];
+            Assert.That(texts[0], Is.EqualTo($"{name}: {string.Join(", ", titles)}"));
+            Assert.That(texts[1], Is.EqualTo(name));
+            Assert.That(texts[2], Does.Match(@"^[\d.]+ Hz, at [\d.]+ m/s, seen from the front left$"));
+            // Two phases of four columns each name their row.
+            int at = Array.IndexOf(texts, "180°") + 1;
+            for (int column = 0; column < 4; column++)
+            {
+                Assert.That(texts, Does.Contain(titles[column]));
+                if (wings.Length > 1)
+                {
+                    Assert.That(texts[at..(at + 2)], Is.EqualTo(wings));
+                    at += 2;
+                }
+
+                foreach ((string title, string key) in measures)
+                {
+                    Assert.That(texts[at++], Is.EqualTo(title));
+                    for (int wing = 0; wing < wings.Length; wing++)
+                    {
+                        string[] row = m_Rows.Where(cells => cells[0] == species && cells[2] == wings[wing]).ElementAt(column);
+                        double Of(string measure) => double.Parse(row[Array.IndexOf(m_Rows[0], measure)], CultureInfo.InvariantCulture);
+                        double value = key == null ? Of("camber_max_pct") - Of("camber_min_pct") : Of(key);
+                        Assert.That(Told(texts[at++]), Is.EqualTo(value).Within(0.0502), $"{title} of the {wings[wing]}");
+                        MeasureBound bound = key == "tip_bend_pp_deg" ? null : MeasureBound.Find(key);
+                        bool isOutside = bound != null && (Math.Round(value, 1) < bound.Low || Math.Round(value, 1) > bound.High);
+                        Assert.That(texts[at] == "†", Is.EqualTo(isOutside), $"{title} of the {wings[wing]}: {value}");
+                        at += isOutside ? 1 : 0;
+                    }
+                }
+
+                Assert.That(texts[at++], Is.EqualTo("lift / weight"));
+                string[] first = m_Rows.Where(cells => cells[0] == species).ElementAt(column);
+                Assert.That(Told(texts[at++]), Is.EqualTo(double.Parse(first[Array.IndexOf(m_Rows[0], "lift_over_weight")],
+                    CultureInfo.InvariantCulture)).Within(0.00502));
+            }
+
+            Assert.That(texts[at..], Has.Length.EqualTo(2), "what the words below mean");
+            Assert.That(texts[^1], Does.EndWith("twist 10–50°, lag 10–40°, stretch < 6 %."));
+        }
+
+        [TestCase("monarch", "Monarch: wing", "wing")]
+        [TestCase("fishfly", "Fishfly: hind wing", "hind wing")]
+        public void TheTerminalsTables_HaveTheNumbersOfTheFile(string species, string heading, string wing)
+        {
+            var rows = TerminalTable.Behind(m_Run.Output, heading).ToDictionary(row => row[0]);
+            string[][] own = [.. m_Rows.Where(cells => cells[0] == species && cells[2] == wing)];
+            Assert.That(rows[""][1..], Is.EqualTo(new[] { "Rigid wing", "No deformation wave", "Full model", "Elasticity × 4", "usual" }));
+            foreach (WingMeasure measure in WingMeasure.All)
+                AssertRow(measure.Title, measure.Key, MeasureBound.Find(measure.Key)?.Range ?? "");
+            AssertRow("off the full model, mean, % of length", "distance_from_full_mean_pct", "");
+            AssertRow("off the full model, most, % of length", "distance_from_full_max_pct", "");
+            if (wing == "wing")
+                AssertRow("lift over weight", "lift_over_weight", "");
+            else
+                Assert.That(rows.ContainsKey("lift over weight"), Is.False, "of all wings, told with the first");
+            Assert.That(rows.ContainsKey(MeasureBound.Find("camber_pct").Title), Is.True, "a range of both cambers");
+
+            void AssertRow(string title, string key, string usual)
+            {
+                for (int column = 0; column < 4; column++)
+                {
+                    double value = double.Parse(own[column][Array.IndexOf(m_Rows[0], key)], CultureInfo.InvariantCulture);
+                    Assert.That(double.Parse(rows[title][1 + column].Replace("†", ""), CultureInfo.InvariantCulture),
+                        Is.EqualTo(value).Within(0.00502), title);
+                }
+
+                Assert.That(rows[title][5], Is.EqualTo(usual));
+            }
+        }
+
         [Test]
         public void Terminal_ShowsTheDifferences()
         {
@@ -103,7 +188,7 @@ namespace Alate.Tests.Cli
 
         private double[] Of(string species, string measure)
         {
-            int column = System.Array.IndexOf(m_Rows[0], measure);
+            int column = Array.IndexOf(m_Rows[0], measure);
             return m_Rows.Where(row => row[0] == species).Select(row => double.Parse(row[column], CultureInfo.InvariantCulture)).ToArray();
         }
     }

@@ -1,3 +1,4 @@
+using System;
 using System.Globalization;
 using System.IO;
 using System.Linq;
@@ -61,6 +62,41 @@ namespace Alate.Tests.Cli
             Assert.That(texts, Is.SupersetOf(new[] { "twist, peak to peak, °", "lag of the tip, °", "fore wing", "hind wing", "0.1" }));
             // Each chart: two kinds of wings with and without the wave; the lift is that of all wings.
             Assert.That(svg.Elements(space + "path").Count(path => path.Attribute("d").Value.Contains('L')), Is.EqualTo(5 * 4 + 2));
+        }
+
+        [Test]
+        public void TheTerminalsTable_HasTheNumbersOfTheFile_RoundedAndMarked()
+        {
+            string[][] rows = TerminalTable.Behind(m_Run.Output, "Fishfly: chord-delay, half beats");
+            (string Title, string Key)[] columns =
+                [("twist °", "twist_pp_deg"), ("tip bend °", "tip_bend_max_deg"), ("lag °", "lag_deg"),
+                    ("stretch %", "edge_stretch_max_pct")];
+
+            Assert.That(rows[1][3..8], Is.EqualTo(new[] { "10–50 *", "2–15 *", "< 46", "10–40 *", "< 6 *" }));
+            Assert.That(rows, Has.Length.EqualTo(2 + 12));
+            for (int k = 1; k < m_Rows.Length; k++)
+            {
+                string[] told = rows[k + 1];
+                double Of(string key) => double.Parse(m_Rows[k][Array.IndexOf(m_Rows[0], key)], CultureInfo.InvariantCulture);
+                Assert.That(told[..3], Is.EqualTo(m_Rows[k][..3]));
+                foreach ((string title, string key) in columns)
+                {
+                    int column = Array.FindIndex(rows[0], cell => cell == title);
+                    MeasureBound bound = MeasureBound.Find(key);
+                    double value = Of(key);
+                    Assert.That(double.Parse(told[column].Replace("†", "").Replace('−', '-'), CultureInfo.InvariantCulture),
+                        Is.EqualTo(value).Within(0.0501), key);
+                    Assert.That(told[column].Contains('†'), Is.EqualTo(Math.Round(value, 1) < bound.Low || Math.Round(value,
+                        1) > bound.High), key);
+                }
+
+                double camber = Math.Max(Of("camber_max_pct"), -Of("camber_min_pct"));
+                Assert.That(double.Parse(told[4].Replace("†", ""), CultureInfo.InvariantCulture), Is.EqualTo(camber).Within(0.0501));
+                Assert.That(double.Parse(told[8], CultureInfo.InvariantCulture), Is.EqualTo(Of("camber_load_pp_pct")).Within(0.0501));
+                Assert.That(told[9].Length == 0, Is.EqualTo(told[2] == "hind wing"));
+                if (told[9].Length > 0)
+                    Assert.That(double.Parse(told[9], CultureInfo.InvariantCulture), Is.EqualTo(Of("lift_over_weight")).Within(0.00501));
+            }
         }
 
         [Test]

@@ -3,6 +3,8 @@ using System.Globalization;
 using System.IO;
 using System.Linq;
 using System.Xml.Linq;
+using Alate.Flight;
+using Alate.Catalogue;
 using NUnit.Framework;
 
 namespace Alate.Tests.Cli
@@ -51,6 +53,28 @@ namespace Alate.Tests.Cli
 
             Assert.That(Cell(line, "closes"), Is.EqualTo("no"));
             Assert.That(line, Does.Contain("lift is").And.Contain("thrust").And.Contain("pitching moment"));
+        }
+
+        [Test]
+        public void TheTerminal_TellsTheInsectItsMassWingsAndBeat_AndTheRowsOfTheTable()
+        {
+            string[] lines = m_Run.Output.ReplaceLineEndings("\n").Split('\n');
+            using FlightModel model = CatalogueFlight.CreateModel(InsectCatalogue.Find("monarch"));
+            int head = Array.FindIndex(lines, line => line.StartsWith("Monarch: "));
+
+            Assert.That(lines[head], Is.EqualTo(FormattableString.Invariant(
+                $"Monarch: {1000000 * model.Mass:0.##} mg, wings {1000 * model.Length:0.#} mm, beat {model.Frequency:0.##} Hz")));
+            Assert.That(model.Mass, Is.InRange(2e-4, 1e-3), "half a gramme");
+            Assert.That(lines[head + 1], Is.EqualTo(string.Join("  ", m_Lines[0].Split(',')[..11])));
+            for (int k = 1; k < m_Lines.Length; k++)
+            {
+                string[] cells = lines[head + 1 + k].Split(' ', StringSplitOptions.RemoveEmptyEntries), own = m_Lines[k].Split(',');
+                int filled = own[..11].Count(cell => cell.Length > 0);
+                Assert.That(cells[..filled], Is.EqualTo(own[..11].Where(cell => cell.Length > 0)));
+                Assert.That(lines[head + 1 + k], own[2] == "yes" ? Does.EndWith("  ") : Does.Contain("lift is"));
+            }
+
+            Assert.That(lines, Does.Contain($"{Path.Combine(m_Run.Out, "trim.svg")}, {Path.Combine(m_Run.Out, "trim.csv")}"));
         }
 
         [Test]
