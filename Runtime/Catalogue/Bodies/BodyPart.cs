@@ -49,7 +49,7 @@ namespace Alate.Catalogue
         private static double Volume(Vector3[] positions, int[] triangles)
         {
             double volume = 0.0;
-            Vector3 origin = positions[0];
+            Vector3 origin = positions.Length == 0 ? default : positions[0];
             for (int corner = 0; corner < triangles.Length; corner += 3)
             {
                 Vector3 a = positions[triangles[corner]] - origin;

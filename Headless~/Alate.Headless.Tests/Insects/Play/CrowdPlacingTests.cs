@@ -7,6 +7,7 @@ using NUnit.Framework;
 using Unity.Mathematics;
 using UnityEngine;
 using UnityEngine.TestTools;
+using Object = UnityEngine.Object;
 
 namespace Alate.Tests.Play.Headless
 {
@@ -91,6 +92,70 @@ namespace Alate.Tests.Play.Headless
             Assert.That(far.GetComponentsInChildren<Renderer>().All(renderer => !renderer.forceRenderingOff), Is.True);
             Assert.That(far.Quality.keepForces, Is.False);
         }
+
+        [UnityTest]
+        public IEnumerator InsectsThatLeaveAFlock_OrWhoseFlockIsNoLongerDrawn_AreShownWhole_AndNewOnesAreTakenIn()
+        {
+            Scene = new CrowdScene("monarch", InsectVariant.Flight, 1, "cruise", "hover");
+            FlockCrowd flock = Scene.Crowd.gameObject.AddComponent<FlockCrowd>();
+            flock.Distance = 30f;
+            InsectWings one = Hatch(new Vector3(0f, 0f, 60f)), other = Hatch(new Vector3(5f, 0f, 60f));
+            other.Quality.keepForces = true;
+            yield return Frames(3);
+            Assert.That((flock.BakedCount, Scene.Crowd.Count), Is.EqualTo((2, 4)), "room for twice as many as there are");
+            Assert.That((Hides(one), Hides(other)), Is.EqualTo((true, true)));
+            Assert.That(Scene.Crowd.Poses.Select(pose => pose.scale), Is.EqualTo(new[] { 1f, 1f, 0f, 0f }), "and no more than they are drawn");
+            CrowdPose[] poses = [.. Scene.Crowd.Poses];
+            Assert.That(poses.Take(2).Select(pose => pose.phase), Is.EqualTo(new[] { one.Phase / 360f, other.Phase / 360f }).Within(0.1f));
+
+            // The border is one tenth nearer for those that are baked.
+            Vector3 eye = Scene.Camera.transform.position;
+            one.transform.position = eye + new Vector3(0f, 0f, 28.5f);
+            other.transform.position = eye + new Vector3(0f, 0f, 25f);
+            one.GetComponent<InsectFlight>().enabled = other.GetComponent<InsectFlight>().enabled = false;
+            yield return null;
+            Assert.That((Hides(one), Hides(other)), Is.EqualTo((true, false)));
+            other.transform.position = eye + new Vector3(0f, 0f, 28.5f);
+            yield return null;
+            Assert.That((Hides(one), Hides(other)), Is.EqualTo((true, false)), "a live one stays live up to the whole distance");
+
+            flock.Group = 1;
+            yield return null;
+            Assert.That((flock.BakedCount, Hides(one)), Is.EqualTo((0, false)), "another flock");
+            flock.Group = 0;
+            one.transform.position = eye + new Vector3(0f, 0f, 40f);
+            yield return null;
+            Assert.That((flock.BakedCount, Hides(one), one.Quality.keepForces), Is.EqualTo((1, true, true)));
+
+            flock.enabled = false;
+            Assert.That((flock.BakedCount, Hides(one), one.Quality.keepForces, other.Quality.keepForces),
+                Is.EqualTo((0, false, false, true)), "as they were");
+            Transform grown = Object.Instantiate(one.Wings[0].Renderer.gameObject, one.transform).transform;
+            flock.enabled = true;
+            yield return null;
+            Assert.That(grown.GetComponent<Renderer>().forceRenderingOff, Is.True, "what grew meanwhile is known");
+            one.GetComponent<FlockPilot>().enabled = false;
+            yield return null;
+            Assert.That((flock.BakedCount, Hides(one)), Is.EqualTo((0, false)), "it left the flock");
+            flock.Distance = -1f;
+            Assert.That(flock.Distance, Is.Zero);
+        }
+
+        [UnityTest]
+        public IEnumerator ACrowdAndASpawner_RefuseNumbersThatNoJobMaySee()
+        {
+            Scene = new CrowdScene("monarch", 2, "cruise");
+            yield return null;
+            Assert.That(() => Scene.Crowd.RunFrame(float.NaN), Throws.ArgumentException.With.Message.Contains("CrowdJob.seconds"));
+            CrowdSpawner spawner = Scene.Crowd.gameObject.AddComponent<CrowdSpawner>();
+            yield return null;
+            Assert.That(() => spawner.Advance(float.PositiveInfinity), Throws.InstanceOf<System.ArgumentOutOfRangeException>());
+            spawner.Advance(float.MaxValue);
+            Assert.That(() => spawner.Advance(float.MaxValue), Throws.ArgumentException.With.Message.Contains("SpawnJob.time"), "no time left");
+            Object.DestroyImmediate(spawner);
+        }
+
+        private static bool Hides(InsectWings insect) => insect.Wings[0].Renderer.forceRenderingOff;
 
         private InsectWings Hatch(Vector3 place)
         {

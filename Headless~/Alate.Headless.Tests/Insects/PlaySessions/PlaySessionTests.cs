@@ -1,6 +1,8 @@
 using System.Collections;
 using System.Linq;
+using System.Text.RegularExpressions;
 using Alate.Catalogue;
+using Alate.Flight;
 using NUnit.Framework;
 using StandIns;
 using Unity.StandIns;
@@ -112,6 +114,40 @@ namespace Alate.Tests.PlaySessions
             yield return null;
             Assert.That(insect.State, Is.EqualTo(InsectState.Ready));
             yield return new ExitPlayMode();
+        }
+
+        [UnityTest]
+        public IEnumerator WhatStaticsRemember_IsForgottenAtTheNextPlay()
+        {
+            try
+            {
+                for (int session = 0; session < 2; session++)
+                {
+                    yield return new EnterPlayMode(false);
+                    Assert.That(GeneratedAssets.InUse, Is.Empty);
+                    Assert.That(Flock.Pilots, Is.Empty);
+                    BuiltPlayer.IsRunning = true;
+                    LogAssert.Expect(LogType.Warning, new Regex("'hind wing'.*_ALPHABLEND_ON of Standard"));
+                    var look = new SurfaceLook(null, true, true);
+                    Material one = WingMaterial.Create(ProjectShaders.Add("Standard"), "hind wing", look);
+                    Material two = WingMaterial.Create(one.shader, "fore wing", look);
+                    LogAssert.NoUnexpectedReceived();
+                    BuiltPlayer.IsRunning = false;
+                    GeneratedAssets.Acquire("firefly");
+                    Assert.That(GeneratedAssets.InUse.Single().Users, Is.EqualTo(1));
+                    SharedAssets left = GeneratedAssets.InUse.Single();
+                    yield return new ExitPlayMode();
+                    left.Free();
+                    Object.DestroyImmediate(one);
+                    Object.DestroyImmediate(two);
+                }
+            }
+            finally
+            {
+                BuiltPlayer.IsRunning = false;
+                ProjectShaders.Clear();
+                GeneratedAssets.Return("firefly");
+            }
         }
 
         private void StartLate()
