@@ -71,7 +71,7 @@ namespace Alate.Fitting
                 high = Math.Max(high, z);
             }
 
-            return Math.Max(high - low, 0.0);
+            return high - low;
         }
     }
 }

@@ -30,7 +30,7 @@ namespace Alate
         /// <summary>
         /// The coefficient a + ib of a height's part a cos Φ + b sin Φ; its angle is the phase at which the height is greatest.
         /// </summary>
-        /// <param name="beat">One whole beat.</param>
+        /// <param name="beat">One whole beat, three frames or more.</param>
         /// <param name="height">The height in a frame.</param>
         public static float2 Fundamental(IReadOnlyList<BeatFrame> beat, Func<BeatFrame, float> height)
         {
@@ -38,7 +38,7 @@ namespace Alate
             for (int k = 0; k < beat.Count; k++)
             {
                 float before = beat[(k + beat.Count - 1) % beat.Count].Phase, after = beat[(k + 1) % beat.Count].Phase;
-                float share = beat.Count > 2 ? 0.5f * Turn(after - before) : math.PI;
+                float share = 0.5f * Turn(after - before);
                 Elementary.SinCos(beat[k].Phase, out float sine, out float cosine);
                 sum += height(beat[k]) * share / math.PI * new float2(cosine, sine);
             }

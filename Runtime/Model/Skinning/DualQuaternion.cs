@@ -19,12 +19,6 @@ namespace Alate
             dual = 0.5f * math.mul(t, rotation).value;
         }
 
-        public static DualQuaternion operator +(DualQuaternion a, DualQuaternion b) =>
-            new DualQuaternion { real = a.real + b.real, dual = a.dual + b.dual };
-
-        public static DualQuaternion operator -(DualQuaternion a, DualQuaternion b) =>
-            new DualQuaternion { real = a.real - b.real, dual = a.dual - b.dual };
-
         /// <summary>Transform with its sign chosen to lie on the side of <paramref name="pivot"/> (antipodality).</summary>
         public DualQuaternion AlignedWith(in DualQuaternion pivot)
         {

@@ -101,14 +101,6 @@ namespace Alate
             new SoaQuaternion(SoaFloat3.Select(a.v, b.v, test), math.select(a.w, b.w, test));
 
         /// <summary>The rotation of one wing.</summary>
-        public quaternion this[int lane]
-        {
-            get => new quaternion(v.x[lane], v.y[lane], v.z[lane], w[lane]);
-            set
-            {
-                v[lane] = value.value.xyz;
-                w[lane] = value.value.w;
-            }
-        }
+        public quaternion this[int lane] => new quaternion(v.x[lane], v.y[lane], v.z[lane], w[lane]);
     }
 }

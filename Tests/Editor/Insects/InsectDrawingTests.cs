@@ -44,6 +44,27 @@ namespace Alate.Editor.Tests
         }
 
         [Test]
+        public void AColour_IsMixedOfTheNearestTwoOfEarlyMiddleAndLate_AndGoesNoFarther()
+        {
+            Color early = GizmoColours.Delay(0f), middle = GizmoColours.Delay(0.5f), late = GizmoColours.Delay(1f);
+
+            Assert.That((Same(early, GizmoColours.Delay(-2f)), Same(late, GizmoColours.Delay(3f))), Is.EqualTo((true, true)));
+            for (int k = 0; k <= 10; k++)
+            {
+                Assert.That(Same(GizmoColours.Delay(0.05f * k), Color.Lerp(early, middle, 0.1f * k)), $"{k} of 20");
+                Assert.That(Same(GizmoColours.Delay(0.5f + 0.05f * k), Color.Lerp(middle, late, 0.1f * k)), $"{10 + k} of 20");
+            }
+
+            // Lightness falls all the way, so that the order can be told without hue (Rec. 709).
+            float Light(Color colour) => 0.2126f * colour.r + 0.7152f * colour.g + 0.0722f * colour.b;
+            Assert.That((early.r > early.b, late.b > late.r, Light(early) > Light(middle), Light(middle) > Light(late)),
+                Is.EqualTo((true, true, true, true)));
+        }
+
+        private static bool Same(Color one, Color other) =>
+            Mathf.Abs(one.r - other.r) + Mathf.Abs(one.g - other.g) + Mathf.Abs(one.b - other.b) + Mathf.Abs(one.a - other.a) < 1e-4f;
+
+        [Test]
         public void WithoutDelayAlongTheSpan_EachChainHasOneColour()
         {
             InsectWings insect = Insect();

@@ -27,6 +27,55 @@ namespace Alate.Tests
         }
 
         [Test]
+        public void ATopAtEitherEnd_IsFound_AndTheWeightsFallAsTheExponential()
+        {
+            // Two places, of which the second is one less over the sharpness: weights 1 and 1/e.
+            double mean = SoftMaximum.Find(10.0, 12.0, 1, 2.0, place => place == 10.0 ? 1.0 : 0.5, out double spread);
+            double share = Math.Exp(-1.0) / (1.0 + Math.Exp(-1.0));
+            Assert.That(mean, Is.EqualTo(10.0 + 2.0 * share).Within(1e-9));
+            Assert.That(spread, Is.EqualTo(2.0 * Math.Sqrt(share * (1.0 - share))).Within(1e-9));
+            for (int side = -1; side <= 1; side += 2)
+            {
+                double end = SoftMaximum.Find(-1.0, 1.0, 10, 1000.0, place => side * place, out spread);
+                Assert.That((end, spread), Is.EqualTo(((double)side, 0.0)).Using<(double, double)>(
+                    (one, other) => Math.Abs(one.Item1 - other.Item1) + Math.Abs(one.Item2 - other.Item2) < 1e-6));
+            }
+        }
+
+        [Test]
+        public void TheMargin_GoesFromTipToLastChain_AndItsSharesLeadBackToTheirPlaces()
+        {
+            var wing = new PolarWing { aspect = 0.6 };
+            PlanPoint[] rim = Array.ConvertAll(wing.Outline(600), place => new PlanPoint(place.x, place.z));
+            Array.Reverse(rim);
+            var outline = new ClosedCurve(rim, 1200);
+            var marks = new WingLandmarks(outline, new FitNotes());
+            var margin = new WingMargin(marks);
+            double length = Polyline.LengthOf(margin.Points), walked = 0.0, before = -1.0;
+
+            Assert.That((margin.Shares[0], margin.Shares[margin.Shares.Count - 1]), Is.EqualTo((0.0, 1.0)));
+            for (int k = 1; k + 1 < margin.Points.Count; k++)
+            {
+                walked += Math.Sqrt((margin.Points[k] - margin.Points[k - 1]).LengthSquared);
+                PlanPoint from = margin.Points[0] - marks.Base, to = margin.Points[k] - marks.Base,
+                    last = margin.Points[margin.Points.Count - 1] - marks.Base;
+                double turned = Angle(from, to) / Angle(from, last);
+                Assert.That(margin.Shares[k], Is.EqualTo(0.9 * walked / length + 0.1 * turned).Within(2e-3), "mostly by length");
+            }
+
+            for (int k = 0; k <= 40; k++)
+            {
+                double s = marks.Tip + (marks.Last - marks.Tip) * k / 40.0, share = margin.ShareAt(s);
+                PlanPoint there = marks.Trimmed.At(s), back = margin.At(share);
+                Assert.That((back - there).LengthSquared, Is.LessThan(1e-12), $"{k} of 40");
+                Assert.That(share, Is.GreaterThan(before));
+                before = share;
+            }
+
+            Assert.That((margin.ShareAt(marks.Tip - 0.1), margin.ShareAt(marks.Last + 0.1)), Is.EqualTo((0.0, 1.0)));
+        }
+
+        [Test]
         public void AFlatTop_CountsByItsMiddle_AndNeitherATopBeyondAValleyNorAnExcludedPlace()
         {
             double flat = SoftMaximum.Find(0.0, 10.0, 1000, 50.0, x => x > 2.0 && x < 5.0 ? 1.0 : 0.0, out double width);
@@ -200,5 +249,8 @@ namespace Alate.Tests
 
         private static bool Near((double, double) a, (double, double) b) =>
             Math.Abs(a.Item1 - b.Item1) + Math.Abs(a.Item2 - b.Item2) < 1e-9;
+
+        // Clockwise.
+        private static double Angle(PlanPoint from, PlanPoint to) => Math.Atan2(PlanPoint.Cross(to, from), PlanPoint.Dot(from, to));
     }
 }

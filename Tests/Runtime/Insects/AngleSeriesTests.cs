@@ -30,6 +30,34 @@ namespace Alate.Tests
         }
 
         [Test]
+        public void OutOfRange_EachNumberIsTheNearest_AndWhatIsNoNumberIsNought()
+        {
+            var wild = new AngleSeries(-400f, new Vector2(300f, 720f), new Vector2(float.NaN, float.PositiveInfinity));
+            AngleSeries clamped = wild.Clamped(), many = new AngleSeries(1f, new Vector2[11]).Clamped();
+
+            Assert.That((clamped.mean, clamped.harmonics[0], clamped.harmonics[1]),
+                Is.EqualTo((-180f, new Vector2(180f, 720f), Vector2.zero)), "a phase may be any number");
+            Assert.That(new AngleSeries(float.NegativeInfinity).Clamped().mean, Is.Zero);
+            Assert.That(many.harmonics, Has.Length.EqualTo(WingKinematics.Harmonics));
+            Assert.That(default(AngleSeries).Clamped().harmonics, Is.Null);
+        }
+
+        [TestCase(-1f, 0.1f)]
+        [TestCase(float.NaN, 0.1f)]
+        [TestCase(0.05f, 0.1f)]
+        [TestCase(26f, 26f)]
+        [TestCase(5000f, 1000f)]
+        public void ThePrescribedFrequency_IsKeptInItsRange(float asked, float given)
+        {
+            var kinematics = new PresetKinematics { prescribed = true, waves = true, frequency = asked, sweep = m_Series };
+
+            Assert.That((kinematics.Clamped().frequency, kinematics.Clamped().waves), Is.EqualTo((given, true)));
+            Assert.That(kinematics.Clamped().sweep.harmonics, Is.EqualTo(m_Series.harmonics));
+            kinematics.prescribed = false;
+            Assert.That(kinematics.Clamped().frequency, Is.EqualTo(asked), "nobody reads it");
+        }
+
+        [Test]
         public void APreset_GivesItsMotionInRadians_AndOnlyWherePrescribed()
         {
             WingPreset preset = ScriptableObject.CreateInstance<WingPreset>();

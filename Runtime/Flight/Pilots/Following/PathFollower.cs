@@ -120,6 +120,6 @@ namespace Alate.Flight
         }
 
         private static int Index(int index, int count, bool loop) =>
-            loop ? (index % count + count) % count : math.clamp(index, 0, count - 1);
+            loop ? index % count : math.min(index, count - 1);
     }
 }

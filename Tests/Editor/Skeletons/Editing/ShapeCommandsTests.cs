@@ -97,6 +97,49 @@ namespace Alate.Editor.Tests
         }
 
         [Test]
+        public void WithoutASelection_AllChainsAreStraightened_WithOneOnlyItsOwn()
+        {
+            for (int chain = 0; chain < 5; chain++)
+                Bend((chain, 2), new Vector3(0f, 0.03f, 0.02f));
+            float[] shares = Enumerable.Range(0, 5).Select(ShareOfTheSecond).ToArray();
+            Select((3, 1));
+            Assert.That(Do("Straighten").Done);
+            Assert.That(Enumerable.Range(0, 5).Select(IsStraight), Is.EqualTo(new[] { false, false, false, true, false }));
+
+            Select();
+            Assert.That(Do("Straighten").Done);
+            Assert.That(Enumerable.Range(0, 5).Select(IsStraight), Is.All.True);
+            Assert.That(Enumerable.Range(0, 5).Select(ShareOfTheSecond), Is.EqualTo(shares).Within(1e-4f), "the same shares of the way");
+        }
+
+        [Test]
+        public void WithoutASelection_AllInnerJointsAreSmoothed_HalfWayToThoseAround()
+        {
+            Bend((2, 2), new Vector3(0.01f, 0.04f, 0f));
+            Vector3[][] before = Enumerable.Range(0, 5).Select(chain => (Vector3[])Skeleton.Chains[chain].joints.Clone()).ToArray();
+            Select();
+
+            Assert.That(Do("Smooth").Done);
+
+            for (int i = 0; i < 5; i++)
+            {
+                for (int j = 0; j < 5; j++)
+                {
+                    Vector3 wanted = before[i][j];
+                    if (j % 4 > 0)
+                    {
+                        Vector3 mean = (before[i][j - 1] + before[i][j + 1]) / 2f;
+                        if (i % 4 > 0)
+                            mean = (mean + (before[i - 1][j] + before[i + 1][j]) / 2f) / 2f;
+                        wanted = (wanted + mean) / 2f;
+                    }
+
+                    Assert.That((Skeleton.GetJoint(i, j) - wanted).magnitude, Is.LessThan(1e-6f), $"{i}, {j}");
+                }
+            }
+        }
+
+        [Test]
         public void Smoothing_HalvesASpike_AndLeavesRootsAndTips()
         {
             var spike = new Vector3(0f, 0.04f, 0f);
@@ -129,6 +172,16 @@ namespace Alate.Editor.Tests
             Vector3[] joints = Skeleton.Chains[chain].joints;
             float[] bones = Enumerable.Range(0, 4).Select(j => Vector3.Distance(joints[j], joints[j + 1])).ToArray();
             return bones.Max() / bones.Min() - 1f;
+        }
+
+        private bool IsStraight(int chain) =>
+            new JointPath(Skeleton.Chains[chain].joints).Length - Vector3.Distance(Skeleton.GetJoint(chain, 0), Skeleton.GetJoint(chain, 4))
+            < 1e-6f;
+
+        private float ShareOfTheSecond(int chain)
+        {
+            var path = new JointPath(Skeleton.Chains[chain].joints);
+            return path.DistanceOf(2) / path.Length;
         }
 
         private void Bend((int chain, int joint) at, Vector3 by) => Skeleton.Chains[at.chain].joints[at.joint] += by;

@@ -62,6 +62,40 @@ namespace Alate.Editor.Tests
         }
 
         [Test]
+        public void AJointBehindOneThatIsHeld_StopsShortOfIt_AndOneBehindItShortOfThat([Values(-1, 1)] int way)
+        {
+            // The outermost that slides stops 2 % of its bone before its neighbour, and so on inwards.
+            var path = new JointPath((Vector3[])Skeleton.Chains[2].joints.Clone());
+            Select((2, 1), (2, 2), (2, 3));
+            int first = way > 0 ? 3 : 1, held = way > 0 ? 4 : 0, last = way > 0 ? 1 : 3;
+
+            Assert.That(Slide(way * 100f).Done);
+
+            float limit = path.DistanceOf(held) + SlideCommands.Gap * (path.DistanceOf(first) - path.DistanceOf(held));
+            Assert.That(Vector3.Distance(Skeleton.GetJoint(2, first), path.At(limit)), Is.LessThan(1e-5f));
+            limit += SlideCommands.Gap * (path.DistanceOf(2) - path.DistanceOf(first));
+            Assert.That(Vector3.Distance(Skeleton.GetJoint(2, 2), path.At(limit)), Is.LessThan(1e-5f));
+            limit += SlideCommands.Gap * (path.DistanceOf(last) - path.DistanceOf(2));
+            Assert.That(Vector3.Distance(Skeleton.GetJoint(2, last), path.At(limit)), Is.LessThan(1e-5f));
+        }
+
+        [Test]
+        public void AJointBehindOneThatSlidesFreely_GoesAsFarAsThatMakesWay()
+        {
+            // Joint 2 moves by half of its bone and frees that much; joint 1 asks for the same way and has it.
+            var path = new JointPath((Vector3[])Skeleton.Chains[2].joints.Clone());
+            float bone = path.DistanceOf(3) - path.DistanceOf(2), own = path.DistanceOf(2) - path.DistanceOf(1);
+            float distance = 0.5f * bone;
+            Select((2, 1), (2, 2));
+
+            Assert.That(Slide(distance).Done);
+
+            float way = Mathf.Min(distance, own + distance - SlideCommands.Gap * own);
+            Assert.That(Vector3.Distance(Skeleton.GetJoint(2, 2), path.At(path.DistanceOf(2) + distance)), Is.LessThan(1e-5f));
+            Assert.That(Vector3.Distance(Skeleton.GetJoint(2, 1), path.At(path.DistanceOf(1) + way)), Is.LessThan(1e-5f));
+        }
+
+        [Test]
         public void Tip_SlidesOnTheLineOfItsBone_BothWays([Values(-0.02f, 0.05f)] float distance)
         {
             Vector3 inner = Skeleton.GetJoint(0, 3), tip = Skeleton.GetJoint(0, 4);

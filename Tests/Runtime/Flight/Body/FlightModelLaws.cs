@@ -105,6 +105,66 @@ namespace Alate.Tests.Flight
             Assert.That(Key(FlightKey.Empty, 1f, 2f), Is.Not.EqualTo(Key(FlightKey.Empty, 2f, 1f)), "the order counts");
         }
 
+        [Test]
+        public void AKey_TakesInThePrescribedMotion_EachOfItsNumbers()
+        {
+            WingKinematics motion = default;
+            motion.frequency = 20f;
+            uint none = KeyOf(_ => { }), some = KeyOf(p => Set(p, motion));
+            var keys = new System.Collections.Generic.HashSet<uint> { none, some };
+            void Differs(Edit edit) => Assert.That(keys.Add(KeyOf(wing => Change(edit)(wing))), Is.True);
+
+            Differs((ref WingParameters p) => { p.kinematics = motion; p.kinematics.frequency = 21f; });
+            Differs((ref WingParameters p) => { p.kinematics = motion; p.kinematics.waves = true; });
+            foreach (DrivenAngle angle in new[] { DrivenAngle.Flap, DrivenAngle.Sweep, DrivenAngle.Feather, DrivenAngle.Tilt })
+            {
+                Differs((ref WingParameters p) => { p.kinematics = motion; p.kinematics.SetMean(angle, 0.1f); });
+                Differs((ref WingParameters p) => { p.kinematics = motion; p.kinematics.SetHarmonic(angle, 8, 0.1f, 0.5f); });
+            }
+        }
+
+        [Test]
+        public void AKey_TakesInMeasuredStiffness_OfEachBone_ButNothingWhereNoneIs()
+        {
+            uint plain = KeyOf(_ => { });
+            var keys = new System.Collections.Generic.HashSet<uint> { plain };
+            for (int chain = 0; chain < 2; chain++)
+            {
+                foreach ((float bend, float twist) in new[] { (2e-7f, 0f), (3e-7f, 0f), (2e-7f, 1e-7f), (2e-7f, 2e-7f) })
+                {
+                    WingSkeleton skeleton = TestWings.Fan();
+                    int joints = skeleton.JointsPerChain;
+                    skeleton.Chains[chain].flexuralStiffness = Filled(joints, bend);
+                    if (twist > 0f)
+                        skeleton.Chains[chain].torsionalStiffness = Filled(joints, twist);
+                    WingRig rig = TestWings.Bake(skeleton, TestWings.Ellipse());
+                    Assert.That(keys.Add(KeyOf(wing => wing.Rig = rig)), Is.True, $"chain {chain}: {bend}, {twist}");
+                    rig.Release();
+                    UnityEngine.Object.DestroyImmediate(skeleton);
+                }
+            }
+        }
+
+        private static float[] Filled(int count, float value)
+        {
+            float[] filled = new float[count];
+            for (int k = 0; k < count; k++)
+                filled[k] = value;
+            return filled;
+        }
+
+        private static void Set(FlightWing wing, WingKinematics motion) =>
+            Change((ref WingParameters parameters) => parameters.kinematics = motion)(wing);
+
+        private uint KeyOf(Action<FlightWing> change)
+        {
+            FlightWing wing = Wing(1f, 0.06f);
+            change(wing);
+            FlightKey key = FlightKey.Empty;
+            key.Add(wing);
+            return key.Value;
+        }
+
         // FNV-1a of the bytes "foob", published with the hash by its authors.
         [Test]
         public void AKey_IsThePublishedHash()

@@ -42,6 +42,14 @@ namespace Alate.Tests
         }
 
         [Test]
+        public void ATable_MayBeFreedTwice()
+        {
+            var memory = new TrimTableMemory(s_Speeds, s_Climbs);
+            memory.Dispose();
+            Assert.That(memory.Dispose, Throws.Nothing);
+        }
+
+        [Test]
         public void ATableOfOnePoint_IsThatPoint()
         {
             using var memory = new TrimTableMemory(new[] { 0.4f }, new[] { 0.1f });

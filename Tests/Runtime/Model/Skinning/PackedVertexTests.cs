@@ -30,6 +30,20 @@ namespace Alate.Tests
         }
 
         [Test]
+        public void EveryByte_IsItsShareOf127_AndTheLowestNoLessThanMinusOne()
+        {
+            for (int k = -128; k < 128; k++)
+            {
+                int packed = (k & 255) | (-k & 255) << 8 | (k & 255) << 16 | (-k & 255) << 24;
+                float4 unpacked = SignedBytes.Unpack(packed);
+                float at = math.max(k / 127f, -1f), opposite = math.max((sbyte)-k / 127f, -1f);
+                Assert.That(unpacked, Is.EqualTo(new float4(at, opposite, at, opposite)));
+                if (k > -128)
+                    Assert.That(SignedBytes.Pack(new SoaFloat3(unpacked.xyz), unpacked.w).x, Is.EqualTo(packed), "and back");
+            }
+        }
+
+        [Test]
         public void TheAxes_ArePackedExactly()
         {
             var axes = new SoaFloat3(new float4(1f, -1f, 0f, 0f), new float4(0f, 0f, -1f, 1f), new float4(0f, 0f, 0f, 0f));
