@@ -80,7 +80,6 @@ namespace Alate
         {
             foreach (IDisposable array in m_Owned)
                 array.Dispose();
-            m_Owned.Clear();
         }
 
         private void SetPatches(ref RigView rig, PatchLayout patches, RestSkeleton rest)

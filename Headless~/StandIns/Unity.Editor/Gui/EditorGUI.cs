@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using StandIns;
 using UnityEngine;
 using Object = UnityEngine.Object;
@@ -7,12 +8,14 @@ namespace UnityEditor;
 
 public sealed partial class EditorGUI
 {
+    private static readonly Stack<int> s_Checks = [];
+
     public static int indentLevel { get; set; }
     public static bool showMixedValue { get; set; }
     public static bool actionKey => Event.current.control;
 
-    public static void BeginChangeCheck() => throw Absent.Editor;
-    public static bool EndChangeCheck() => throw Absent.Editor;
+    public static void BeginChangeCheck() => s_Checks.Push(GuiPage.Needed.Changes);
+    public static bool EndChangeCheck() => GuiPage.Needed.Changes > s_Checks.Pop();
     public static GUIContent BeginProperty(Rect totalPosition, GUIContent label, SerializedProperty property) => throw Absent.Editor;
     public static void EndProperty() => throw Absent.Editor;
     public static void BeginDisabledGroup(bool disabled) => throw Absent.Editor;

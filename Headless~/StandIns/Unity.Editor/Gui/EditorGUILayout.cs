@@ -37,7 +37,7 @@ public sealed partial class EditorGUILayout
         GUIContent label2,
         GUIStyle style,
         params GUILayoutOption[] options) => throw Absent.Editor;
-    public static void LabelField(GUIContent label, params GUILayoutOption[] options) => throw Absent.Editor;
+    public static void LabelField(GUIContent label, params GUILayoutOption[] options) => Add(ControlKind.Label, label);
     public static void LabelField(GUIContent label, GUIStyle style, params GUILayoutOption[] options) => Add(ControlKind.Label, label);
     public static bool Foldout(bool foldout, string content, bool toggleOnLabelClick) => throw Absent.Editor;
     public static bool Foldout(bool foldout, string content, bool toggleOnLabelClick, GUIStyle style) => throw Absent.Editor;
@@ -67,13 +67,14 @@ public sealed partial class EditorGUILayout
     public static void Space(float width) => throw Absent.Editor;
     public static void Space(float width, bool expand) => throw Absent.Editor;
     public static void Separator() => throw Absent.Editor;
-    public static bool Toggle(string label, bool value, params GUILayoutOption[] options) => throw Absent.Editor;
+    public static bool Toggle(string label, bool value, params GUILayoutOption[] options) =>
+        Toggle(new GUIContent(label), value, options);
     public static bool Toggle(GUIContent label, bool value, params GUILayoutOption[] options) =>
         Add(ControlKind.Toggle, label, value ? "on" : "off") != value;
     public static float FloatField(string label, float value, params GUILayoutOption[] options) => throw Absent.Editor;
-    public static float FloatField(GUIContent label, float value, params GUILayoutOption[] options) => throw Absent.Editor;
+    public static float FloatField(GUIContent label, float value, params GUILayoutOption[] options) => Field(label, value);
     public static int IntField(string label, int value, params GUILayoutOption[] options) => throw Absent.Editor;
-    public static int IntField(GUIContent label, int value, params GUILayoutOption[] options) => throw Absent.Editor;
+    public static int IntField(GUIContent label, int value, params GUILayoutOption[] options) => Field(label, value);
     public static float Slider(
         string label,
         float value,
@@ -104,8 +105,7 @@ public sealed partial class EditorGUILayout
         float rightValue,
         params GUILayoutOption[] options)
     {
-        Add(ControlKind.Field, label, FormattableString.Invariant($"{value}"));
-        return Mathf.Clamp(value, leftValue, rightValue);
+        return Mathf.Clamp(Field(label, value), leftValue, rightValue);
     }
 
     public static int IntSlider(
@@ -138,8 +138,7 @@ public sealed partial class EditorGUILayout
         int rightValue,
         params GUILayoutOption[] options)
     {
-        Add(ControlKind.Field, label, FormattableString.Invariant($"{value}"));
-        return Mathf.Clamp(value, leftValue, rightValue);
+        return Mathf.Clamp(Field(label, value), leftValue, rightValue);
     }
 
     public static void MinMaxSlider(
@@ -170,7 +169,7 @@ public sealed partial class EditorGUILayout
         params GUILayoutOption[] options)
     {
         Add(ControlKind.Field, label, obj == null ? "None" : obj.name);
-        return obj;
+        return (Object)GuiPage.Needed.Put(label, obj);
     }
 
     public static int Popup(
@@ -180,7 +179,7 @@ public sealed partial class EditorGUILayout
         params GUILayoutOption[] options)
     {
         Add(ControlKind.Field, new GUIContent(label), displayedOptions[selectedIndex]);
-        return selectedIndex;
+        return (int)GuiPage.Needed.Put(new GUIContent(label), selectedIndex);
     }
 
     public static int Popup(
@@ -195,13 +194,13 @@ public sealed partial class EditorGUILayout
         params GUILayoutOption[] options)
     {
         Add(ControlKind.Field, label, displayedOptions[selectedIndex].text);
-        return selectedIndex;
+        return (int)GuiPage.Needed.Put(label, selectedIndex);
     }
 
     public static Enum EnumPopup(string label, Enum selected, params GUILayoutOption[] options) => throw Absent.Editor;
-    public static Enum EnumPopup(GUIContent label, Enum selected, params GUILayoutOption[] options) => throw Absent.Editor;
+    public static Enum EnumPopup(GUIContent label, Enum selected, params GUILayoutOption[] options) => Field(label, selected);
     public static Vector2 Vector2Field(string label, Vector2 value, params GUILayoutOption[] options) => throw Absent.Editor;
-    public static Vector2 Vector2Field(GUIContent label, Vector2 value, params GUILayoutOption[] options) => throw Absent.Editor;
+    public static Vector2 Vector2Field(GUIContent label, Vector2 value, params GUILayoutOption[] options) => Field(label, value);
     public static Vector3 Vector3Field(string label, Vector3 value, params GUILayoutOption[] options) => throw Absent.Editor;
     public static Vector3 Vector3Field(GUIContent label, Vector3 value, params GUILayoutOption[] options) => throw Absent.Editor;
     public static string TextField(string label, string text, params GUILayoutOption[] options) => throw Absent.Editor;
@@ -212,8 +211,13 @@ public sealed partial class EditorGUILayout
     public static Rect GetControlRect(bool hasLabel, float height, GUIStyle style, params GUILayoutOption[] options) => throw Absent.Editor;
     public static Rect GetControlRect(bool hasLabel, params GUILayoutOption[] options) => throw Absent.Editor;
     public static Rect GetControlRect(params GUILayoutOption[] options) => throw Absent.Editor;
-    public static Vector2 BeginScrollView(Vector2 scrollPosition, params GUILayoutOption[] options) => throw Absent.Editor;
-    public static void EndScrollView() => throw Absent.Editor;
+    public static Vector2 BeginScrollView(Vector2 scrollPosition, params GUILayoutOption[] options)
+    {
+        GuiPage.Needed.Begin("scroll");
+        return scrollPosition;
+    }
+
+    public static void EndScrollView() => GuiPage.Needed.End("scroll");
     public static Color ColorField(string label, Color value, params GUILayoutOption[] options) => throw Absent.Editor;
     public static Color ColorField(GUIContent label, Color value, params GUILayoutOption[] options) => throw Absent.Editor;
 
@@ -221,6 +225,12 @@ public sealed partial class EditorGUILayout
     {
         Rect position = GuiPage.Needed.Next(DrawnProperty.HeightOf(property, label, includeChildren));
         return DrawnProperty.Draw(position, property, label, includeChildren);
+    }
+
+    private static T Field<T>(GUIContent label, T value)
+    {
+        Add(ControlKind.Field, label, FormattableString.Invariant($"{value}"));
+        return (T)GuiPage.Needed.Put(label, value);
     }
 
     private static bool Add(ControlKind kind, GUIContent content, string value = "") =>

@@ -1,4 +1,5 @@
 using System;
+using StandIns;
 using UnityEngine;
 
 namespace UnityEditor;
@@ -20,7 +21,14 @@ public class EditorWindow : ScriptableObject
     public static T GetWindow<T>(bool utility) where T : EditorWindow => throw Absent.Editor;
     public static T GetWindow<T>(bool utility, string title) where T : EditorWindow => throw Absent.Editor;
     public static T GetWindow<T>(bool utility, string title, bool focus) where T : EditorWindow => throw Absent.Editor;
-    public static T GetWindow<T>(string title) where T : EditorWindow => throw Absent.Editor;
+    public static T GetWindow<T>(string title) where T : EditorWindow
+    {
+        T window = CreateInstance<T>();
+        window.titleContent = new GUIContent(title);
+        OpenWindows.All.Add(window);
+        return window;
+    }
+
     public static T GetWindow<T>(string title, bool focus) where T : EditorWindow => throw Absent.Editor;
     public static T GetWindow<T>(string title, bool focus, params Type[] desiredDockNextTo) where T : EditorWindow => throw Absent.Editor;
     public static T GetWindow<T>(string title, params Type[] desiredDockNextTo) where T : EditorWindow => throw Absent.Editor;

@@ -1,4 +1,5 @@
 using System;
+using StandIns;
 using UnityEngine;
 
 namespace UnityEditor;
@@ -14,5 +15,7 @@ internal static class DrawnLine
             if (!float.IsFinite(point.x + point.y + point.z))
                 throw new ArgumentException($"A line through {point} cannot be drawn.");
         }
+
+        DrawnLines.Calls?.Add((Handles.color, points[..count]));
     }
 }

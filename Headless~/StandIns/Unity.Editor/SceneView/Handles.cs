@@ -36,7 +36,7 @@ public sealed partial class Handles
     public static void DrawWireDisc(Vector3 center, Vector3 normal, float radius) => throw Absent.Editor;
     public static void DrawWireDisc(Vector3 center, Vector3 normal, float radius, float thickness) =>
         DrawnLine.Check([center, normal * radius], 2);
-    public static void DrawSolidDisc(Vector3 center, Vector3 normal, float radius) => throw Absent.Editor;
+    public static void DrawSolidDisc(Vector3 center, Vector3 normal, float radius) => DrawnLine.Check([center, normal * radius], 2);
     public static void DrawWireArc(Vector3 center, Vector3 normal, Vector3 from, float angle, float radius) => throw Absent.Editor;
     public static void DrawWireArc(
         Vector3 center,

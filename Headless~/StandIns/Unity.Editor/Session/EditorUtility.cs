@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using StandIns;
 using Unity.StandIns;
 using Object = UnityEngine.Object;
 
@@ -15,20 +16,23 @@ public class EditorUtility
         s_Dirty.Add(target);
     }
 
-    public static bool DisplayDialog(string title, string message, string ok) => throw Absent.Editor;
+    public static bool DisplayDialog(string title, string message, string ok) => AnsweredDialogs.Tell($"{title}: {message} [{ok}]");
     public static bool DisplayDialog(string title, string message, string ok, string cancel) => throw Absent.Editor;
     public static void DisplayProgressBar(string title, string info, float progress) => throw Absent.Editor;
     public static bool DisplayCancelableProgressBar(string title, string info, float progress) => throw Absent.Editor;
     public static void ClearProgressBar() => throw Absent.Editor;
-    public static string SaveFilePanel(string title, string directory, string defaultName, string extension) => throw Absent.Editor;
-    public static string SaveFilePanelInProject(string title, string defaultName, string extension, string message) => throw Absent.Editor;
+    public static string SaveFilePanel(string title, string directory, string defaultName, string extension) =>
+        AnsweredDialogs.Ask($"{title}: {directory}/{defaultName}.{extension}");
+    public static string SaveFilePanelInProject(string title, string defaultName, string extension, string message) =>
+        AnsweredDialogs.Ask($"{title}: {defaultName}.{extension}: {message}");
     public static string SaveFilePanelInProject(
         string title,
         string defaultName,
         string extension,
         string message,
         string path) => throw Absent.Editor;
-    public static string OpenFilePanel(string title, string directory, string extension) => throw Absent.Editor;
+    public static string OpenFilePanel(string title, string directory, string extension) =>
+        AnsweredDialogs.Ask($"{title}: {directory}/*.{extension}");
     public static string OpenFolderPanel(string title, string folder, string defaultName) => throw Absent.Editor;
     public static string SaveFolderPanel(string title, string folder, string defaultName) => throw Absent.Editor;
     public static bool IsPersistent(Object target) => AssetDatabase.Contains(target);

@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
+using System.Reflection;
 using UnityEditor;
 using UnityEngine;
 
@@ -16,11 +17,12 @@ public sealed class DrawnInspector : IGuiPage
     private const float k_Width = 400f, k_Gap = 2f;
     private readonly List<DrawnControl> _controls = [];
     private readonly Stack<string> _groups = [];
-    private readonly string _pressed;
+    private readonly string _pressed, _put;
+    private readonly object _value;
     private float _next;
-    private bool _wasPressed;
+    private bool _wasPressed, _wasPut;
 
-    private DrawnInspector(string pressed) => _pressed = pressed;
+    private DrawnInspector(string pressed, string put, object value) => (_pressed, _put, _value) = (pressed, put, value);
 
     /// <summary>The controls from top to bottom.</summary>
     public IReadOnlyList<DrawnControl> Controls => _controls;
@@ -57,6 +59,27 @@ public sealed class DrawnInspector : IGuiPage
         return Of(draw);
     }
 
+    /// <summary>Puts a value into the first field with a label, and draws the panel as it is then.</summary>
+    public static DrawnInspector Put(Action draw, string label, object value)
+    {
+        Of(draw);
+        if (!Pass(draw, EventType.MouseUp, null, label, value)._wasPut)
+            throw new InvalidOperationException($"There is no field '{label}'.");
+        return Of(draw);
+    }
+
+    /// <summary>Presses the mouse in a panel, and draws it as it is then.</summary>
+    public static DrawnInspector Click(Action draw, Vector2 at)
+    {
+        Of(draw);
+        Pass(draw, EventType.MouseDown, null, mouse: at);
+        return Of(draw);
+    }
+
+    /// <summary>What draws a window.</summary>
+    public static Action Of(EditorWindow window) => window.GetType().GetMethod("OnGUI", BindingFlags.Instance | BindingFlags.NonPublic)
+        .CreateDelegate<Action>(window);
+
     /// <summary>The only control with a text.</summary>
     public DrawnControl Control(string text) => _controls.Single(c => c.Text == text);
 
@@ -81,6 +104,16 @@ public sealed class DrawnInspector : IGuiPage
         return pressed;
     }
 
+    object IGuiPage.Put(GUIContent label, object value)
+    {
+        if (_put == null || _wasPut || label.text != _put || _groups.Contains("disabled"))
+            return value;
+        _wasPut = true;
+        return _value;
+    }
+
+    int IGuiPage.Changes => (_wasPressed ? 1 : 0) + (_wasPut ? 1 : 0);
+
     float IGuiPage.Slide(float value, float left, float right) => throw new NotSupportedException("Inspectors have no plain sliders yet.");
 
     void IGuiPage.BeginArea(Rect area) => throw new NotSupportedException("Inspectors have no areas yet.");
@@ -96,12 +129,13 @@ public sealed class DrawnInspector : IGuiPage
 
     private IEnumerable<string> Texts(ControlKind kind) => _controls.Where(c => c.Kind == kind).Select(c => c.Text);
 
-    private static DrawnInspector Pass(Action draw, EventType type, string pressed)
+    private static DrawnInspector Pass(
+        Action draw, EventType type, string pressed, string put = null, object value = null, Vector2 mouse = default)
     {
-        var page = new DrawnInspector(pressed);
+        var page = new DrawnInspector(pressed, put, value);
         Event before = Event.current;
         GuiPage.Current = page;
-        Event.current = new Event { type = type };
+        Event.current = new Event { type = type, mousePosition = mouse };
         bool left = false;
         try
         {

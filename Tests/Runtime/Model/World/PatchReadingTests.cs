@@ -48,6 +48,40 @@ namespace Alate.Tests
         }
 
         [Test]
+        public void JointLoads_AreThePatchForces_InSumAndMoment()
+        {
+            using (var flown = new FlownMonarch())
+            {
+                flown.world.RecordPatches(flown.wing, true);
+                for (int step = 0; step < 40; step++)
+                    flown.world.Step(1f / 300f);
+
+                WingReading reading = flown.Reading;
+                float3[] loads = new float3[reading.ChainCount * reading.JointsPerChain];
+                reading.AddJointLoads(loads);
+                float3 force = default, moment = default, first = default, jointForce = default, jointMoment = default;
+                for (int patch = 0; patch < reading.PatchCount; patch++)
+                {
+                    force += reading.PatchForce(patch);
+                    moment += math.cross(reading.PatchPosition(patch), reading.PatchForce(patch));
+                }
+
+                for (int joint = 0; joint < loads.Length; joint++)
+                {
+                    first += joint == 0 ? loads[joint] : default;
+                    jointForce += loads[joint];
+                    jointMoment += math.cross(
+                        reading.JointPosition(joint / reading.JointsPerChain, joint % reading.JointsPerChain), loads[joint]);
+                }
+
+                Assert.That(math.distance(jointForce, force), Is.LessThan(1e-4f * math.length(force)));
+                Assert.That(math.distance(jointMoment, moment), Is.LessThan(1e-4f * math.length(moment)));
+                reading.AddJointLoads(loads);
+                Assert.That(math.distance(loads[0], 2f * first), Is.LessThan(1e-6f + 1e-4f * math.length(first)), "added");
+            }
+        }
+
+        [Test]
         public void PlacesWithinAStep_AreThoseOfTheDrawnMesh()
         {
             WingRig rig = Monarch.Rig();

@@ -280,6 +280,31 @@ namespace Alate.Tests
             }
         }
 
+        [Test]
+        public void BoundsOfALargeMesh_WhichSeveralWorkersSkin_AreThoseOfAllItsVertices()
+        {
+            WingRig rig = TestWings.Bake(TestWings.Fan(), TestWings.Rectangle(100, 60, 1f, 0.4f));
+            using (var world = new WingWorld())
+            {
+                WingHandle wing = world.Add(rig, WingParameters.Default);
+                rig.Release();
+                for (int step = 0; step < 12; step++)
+                {
+                    world.Step(0.01f);
+                    world.Skin(0.5f);
+                    Bounds bounds = world.Bounds(wing);
+                    float3 min = float.MaxValue, max = float.MinValue;
+                    foreach (SkinnedVertex vertex in world.Vertices(wing))
+                    {
+                        min = math.min(min, vertex.position);
+                        max = math.max(max, vertex.position);
+                    }
+
+                    Assert.That(math.distance(min, bounds.min) + math.distance(max, bounds.max), Is.LessThan(1e-5f));
+                }
+            }
+        }
+
         private static float3[] Fly(float step, float seconds)
         {
             using (var flown = new FlownMonarch())

@@ -34,7 +34,8 @@ public partial class GUI
     public static void BeginGroup(Rect position) => throw Absent.Gui;
     public static void EndGroup() => throw Absent.Gui;
     public static void DrawTexture(Rect position, Texture image) => throw Absent.Gui;
-    public static void DrawTexture(Rect position, Texture image, ScaleMode scaleMode) => throw Absent.Gui;
+    public static void DrawTexture(Rect position, Texture image, ScaleMode scaleMode) =>
+        GuiPage.Needed.Add(ControlKind.Area, position, GUIContent.none, image.name);
     public static bool Toggle(Rect position, bool value, string text) => throw Absent.Gui;
     public static bool Toggle(Rect position, bool value, string text, GUIStyle style) => throw Absent.Gui;
     public static bool Toggle(Rect position, bool value, GUIContent content) => throw Absent.Gui;

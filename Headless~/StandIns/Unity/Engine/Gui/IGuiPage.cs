@@ -11,6 +11,12 @@ internal interface IGuiPage
     /// <summary>Notes a control; says whether the test presses it now.</summary>
     bool Add(ControlKind kind, Rect at, GUIContent content, string value = "");
 
+    /// <summary>Value of a field: what the test puts there, else what it had.</summary>
+    object Put(GUIContent label, object value);
+
+    /// <summary>Number of changes that the test has made so far.</summary>
+    int Changes { get; }
+
     /// <summary>Notes a slider; says where the test puts it.</summary>
     float Slide(float value, float left, float right);
 

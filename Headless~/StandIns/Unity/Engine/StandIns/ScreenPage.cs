@@ -42,6 +42,10 @@ internal sealed class ScreenPage(ScreenAct act) : IGuiPage
         return pressed;
     }
 
+    public object Put(GUIContent label, object value) => throw new NotSupportedException("A game has no fields of the editor.");
+
+    public int Changes => throw new NotSupportedException("A game has no fields of the editor.");
+
     public float Slide(float value, float left, float right)
     {
         Rect at = Next(18f);

@@ -1,0 +1,21 @@
+using System.Linq;
+using System.Reflection;
+using UnityEditor;
+using UnityEngine;
+
+namespace Alate.Tests.Editor;
+
+/// <summary>Chooses items of the editor's menus, as a user does.</summary>
+internal static class EditorMenu
+{
+    /// <summary>Chooses an item by its path.</summary>
+    public static void Choose(string path, Object context = null)
+    {
+        MethodInfo item = typeof(Alate.Editor.BeatGraph).Assembly.GetTypes()
+            .SelectMany(type => type.GetMethods(BindingFlags.Static | BindingFlags.NonPublic | BindingFlags.Public))
+            .Single(method => method.GetCustomAttributesData().Any(data =>
+                data.AttributeType == typeof(MenuItem) && (string)data.ConstructorArguments[0].Value == path
+                && (data.ConstructorArguments.Count < 2 || !(bool)data.ConstructorArguments[1].Value)));
+        item.Invoke(null, item.GetParameters().Length == 0 ? null : [new MenuCommand(context)]);
+    }
+}
