@@ -96,7 +96,9 @@ internal static class MutationRun
         Say($"{drawn.Count(one => one.Mutant != null)} mutants built");
 
         WorkerProcess Worker() => new(bin, "Alate.Headless.Tests", scratch);
-        var coverage = Coverage.Record(["Alate.Tests", "Alate.Headless.Tests"], Worker);
+        ILookup<string, string> folders = TestFolders(root);
+        var coverage = Coverage.Record(["Alate.Tests", "Alate.Headless.Tests"], Worker,
+            (mutant, type) => folders[type.Split('.', '+')[^1]].Contains(drawn[mutant - 1].Room.Split('/')[^1]));
         Say($"{coverage.Tests} tests take {coverage.Seconds:0} s of processor time");
 
         var trial = new Trial(coverage, Worker);
@@ -134,6 +136,13 @@ internal static class MutationRun
             });
         return verdicts;
     }
+
+    /// <summary>Folders in which the classes of tests stand, by the classes' names.</summary>
+    private static ILookup<string, string> TestFolders(string root) => new[] { "Tests", "Headless~/Alate.Headless.Tests" }
+        .SelectMany(tests => Directory.EnumerateFiles(Path.Combine(root, tests), "*.cs", SearchOption.AllDirectories))
+        .SelectMany(file => Path.GetRelativePath(root, file).Split(Path.DirectorySeparatorChar)[..^1]
+            .Select(folder => (Class: Path.GetFileNameWithoutExtension(file), Folder: folder)))
+        .ToLookup(file => file.Class, file => file.Folder);
 
     /// <summary>Projects whose sources may be changed: the package and the command line.</summary>
     private static IEnumerable<string> ProjectFiles(string root) => Directory

@@ -24,11 +24,27 @@ internal static class MutantSwitch
             private static readonly int s_Active = int.TryParse(Environment.GetEnvironmentVariable("{{Variable}}"), out int n) ? n : 0;
             private static readonly string s_File = Environment.GetEnvironmentVariable("{{HitsVariable}}");
             public static readonly byte[] Hits = s_File == null ? null : new byte[{{count + 1}}];
+            /// <summary>Mutants whose first place was met while a value was made that is kept: no other test meets it.</summary>
+            public static readonly bool[] Once = s_File == null ? null : new bool[{{count + 1}}];
+            private static readonly bool[] s_Met = s_File == null ? null : new bool[{{count + 1}}];
             public static bool Is(int mutant)
             {
                 if (Hits != null && Hits[mutant] == 0)
-                    Hits[mutant] = 1;
+                    Meet(mutant);
                 return mutant == s_Active;
+            }
+            private static void Meet(int mutant)
+            {
+                Hits[mutant] = 1;
+                if (s_Met[mutant])
+                    return;
+                s_Met[mutant] = true;
+                foreach (System.Diagnostics.StackFrame frame in new System.Diagnostics.StackTrace().GetFrames())
+                {
+                    System.Reflection.MethodBase method = frame.GetMethod();
+                    string type = method?.DeclaringType?.FullName ?? "";
+                    Once[mutant] |= method?.Name == ".cctor" || type.StartsWith("System.Lazy", StringComparison.Ordinal);
+                }
             }
             [System.Runtime.CompilerServices.ModuleInitializer]
             internal static void Begin()

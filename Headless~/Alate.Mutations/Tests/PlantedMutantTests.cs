@@ -23,6 +23,8 @@ internal sealed class PlantedMutantTests
             public static void Endless() { for (long i = 0; i < 9;)
                 i += 1; }
             public static void Assigned(out float a) { a = 16f; }
+            public static readonly float Kept = Made();
+            private static float Made() => 3f * 7f;
         }
         [TestFixture]
         public sealed class TinyTests
@@ -32,6 +34,16 @@ internal sealed class PlantedMutantTests
             [Test] public void Forgotten() { Tiny.Forgotten(1f); }
             [Test] public void Ends() => Tiny.Endless();
             [Test] public void Step() => Assert.That(Tiny.Step + Tiny.Start, Is.EqualTo(12f));
+        }
+        [TestFixture]
+        public sealed class UpBesideTests
+        {
+            [Test] public void None() { }
+        }
+        [TestFixture]
+        public sealed class ZLaterTests
+        {
+            [Test] public void Kept() => Assert.That(Tiny.Kept, Is.EqualTo(21f));
         }
         [TestFixture, Explicit]
         public sealed class ExplicitTests
@@ -55,9 +67,9 @@ internal sealed class PlantedMutantTests
         File.Copy(Path.Combine(here, "Alate.Mutations" + settings), Path.Combine(m_Folder, "AlateTiny" + settings));
         var project = Project.Of("AlateTiny", "Tiny.cs", k_Source);
         IEnumerable<Mutant> mutants = Mutant.Of(project, project.Compilation.SyntaxTrees.Single(), "Tiny.cs")
-            .Where(mutant => mutant.Line < 14);
+            .Where(mutant => mutant.Line < 16);
         m_Drawn = MutationRun.Build(new Sample(mutants.Select(mutant => ("tiny", mutant)), 1), 100, [project], m_Folder);
-        m_Coverage = Coverage.Record(["AlateTiny"], Worker);
+        m_Coverage = Coverage.Record(["AlateTiny"], Worker, (_, type) => type == "ZLaterTests");
     }
 
     [OneTimeTearDown]
@@ -67,7 +79,7 @@ internal sealed class PlantedMutantTests
     public void TheProgramAsItStands_FailsNowhere()
     {
         Assert.That(m_Coverage.Failing, Is.Empty);
-        Assert.That(m_Coverage.Tests, Is.EqualTo(5), "explicit tests are not run");
+        Assert.That(m_Coverage.Tests, Is.EqualTo(6), "explicit tests are not run");
     }
 
     [TestCase(6, Outcome.Found, "TinyTests.Asked")]
@@ -75,6 +87,7 @@ internal sealed class PlantedMutantTests
     [TestCase(5, Outcome.Found, "TinyTests.Step")]
     [TestCase(7, Outcome.Survived, "")]
     [TestCase(8, Outcome.NotReached, "")]
+    [TestCase(13, Outcome.Found, "ZLaterTests.Kept")]
     public void AMutant_FallsToTheTestThatAsks(int line, Outcome outcome, string test)
     {
         Verdict verdict = new Trial(m_Coverage, Worker).Of(Number(line));

@@ -17,6 +17,10 @@ internal sealed class Coverage
     private const string k_Golden = "Alate.Tests.Determinism.SceneHashTests";
 
     private readonly List<TestClass> m_Classes = [];
+    private readonly HashSet<int> m_Once = [];
+    private readonly Func<int, string, bool> m_IsBeside;
+
+    private Coverage(Func<int, string, bool> isBeside) => m_IsBeside = isBeside;
 
     /// <summary>Tests that fail with no mutant alive; no mutant is tried on them.</summary>
     public HashSet<string> Failing { get; } = [];
@@ -26,9 +30,15 @@ internal sealed class Coverage
     public double Seconds => m_Classes.Sum(one => one.SetUp + one.Tests.Values.Sum(test => test.Seconds));
 
     /// <summary>Runs the tests of assemblies, in two processes.</summary>
-    public static Coverage Record(string[] assemblies, Func<WorkerProcess> worker)
+    /// <param name="assemblies">Names of the assemblies.</param>
+    /// <param name="worker">Makes a process.</param>
+    /// <param name="isBeside">
+    /// Returns true where a class, of a full name, holds the tests of a mutant's room; they are tried on what is made once a process, which
+    /// only the first test meets that asks for it. Null tries only that one.
+    /// </param>
+    public static Coverage Record(string[] assemblies, Func<WorkerProcess> worker, Func<int, string, bool> isBeside = null)
     {
-        var coverage = new Coverage();
+        var coverage = new Coverage(isBeside);
         var groups = assemblies
             .SelectMany(assembly => worker().Classes(assembly).Select(type => new TestGroup(assembly, type, null))).ToList();
         Parallel.For(0, 2, half =>
@@ -59,8 +69,9 @@ internal sealed class Coverage
         var groups = new List<(TestGroup, double)>();
         foreach (TestClass one in m_Classes)
         {
+            bool all = one.Always.Contains(mutant) || m_Once.Contains(mutant) && m_IsBeside?.Invoke(mutant, one.Type) == true;
             var tests = one.Tests.Where(test => !Failing.Contains(test.Key))
-                .Where(test => one.Always.Contains(mutant) || test.Value.Hits.Contains(mutant)).ToList();
+                .Where(test => all || test.Value.Hits.Contains(mutant)).ToList();
             foreach (IGrouping<bool, KeyValuePair<string, (double Seconds, HashSet<int> Hits)>> part
                 in tests.GroupBy(test => test.Value.Seconds > k_Slow))
             {
@@ -82,6 +93,7 @@ internal sealed class Coverage
             {
                 if (report.Failed)
                     Failing.Add(report.Name);
+                m_Once.UnionWith(report.Once ?? []);
                 if (report.Event == TestReport.SetUp)
                 {
                     one.SetUp += report.Seconds;

@@ -48,6 +48,7 @@ internal sealed class Listener(int group, bool records, Action<TestReport> repor
     private void Report(string what, string name, string failure)
     {
         double now = Now;
+        SortedSet<int> hits = records ? TakeHits() : null;
         report(new TestReport
         {
             Event = what,
@@ -56,24 +57,32 @@ internal sealed class Listener(int group, bool records, Action<TestReport> repor
             Failed = failure != null,
             Message = failure,
             Seconds = now - m_Before,
-            Hits = records ? TakeHits().ToArray() : null,
+            Hits = hits?.ToArray(),
+            Once = hits == null ? null : Once(hits),
         });
         m_Before = now;
     }
 
     private static string FirstLine(string message) => (message ?? "").Trim().Split('\n')[0];
 
+    private static int[] Once(IEnumerable<int> hits)
+    {
+        bool[][] once = Fields<bool[]>("Once").ToArray();
+        return hits.Where(mutant => once.Any(own => mutant < own.Length && own[mutant])).ToArray();
+    }
+
+    /// <summary>A field of the switch of each assembly that has one.</summary>
+    private static IEnumerable<T> Fields<T>(string field) where T : class => AppDomain.CurrentDomain.GetAssemblies()
+        .Where(assembly => assembly.GetName().Name.StartsWith("Alate", StringComparison.Ordinal))
+        .Select(assembly => assembly.GetType(MutantSwitch.Name(assembly.GetName().Name))?.GetField(field)?.GetValue(null) as T)
+        .Where(value => value != null);
+
     /// <summary>Numbers of the mutants met since the last time, here and in processes that have ended.</summary>
     private static SortedSet<int> TakeHits()
     {
         var hits = new SortedSet<int>();
-        foreach (Assembly assembly in AppDomain.CurrentDomain.GetAssemblies())
+        foreach (byte[] met in Fields<byte[]>("Hits"))
         {
-            string name = assembly.GetName().Name;
-            if (!name.StartsWith("Alate", StringComparison.Ordinal))
-                continue;
-            if (assembly.GetType(MutantSwitch.Name(name))?.GetField("Hits")?.GetValue(null) is not byte[] met)
-                continue;
             for (int i = 0; i < met.Length; i++)
             {
                 if (met[i] != 0)

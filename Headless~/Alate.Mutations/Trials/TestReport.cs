@@ -23,4 +23,7 @@ internal sealed record TestReport
 
     /// <summary>Numbers of the mutants that the test met; null where they are not recorded.</summary>
     public int[] Hits { get; init; }
+
+    /// <summary>Those of them that were met while a value was made that is kept; no other test meets them.</summary>
+    public int[] Once { get; init; }
 }
