@@ -108,7 +108,7 @@ internal static class MutationRun
             Console.WriteLine($"left out: {test}");
         if (options.Found)
             Console.WriteLine($"\nFound:\n{report.List(Outcome.Found)}");
-        Console.WriteLine($"\nFound by the hash alone:\n{report.List(Outcome.FoundByNumber)}");
+        Console.WriteLine($"\nFound by held numbers alone:\n{report.List(Outcome.FoundByNumber)}");
         Console.WriteLine($"\nEquivalent:\n{report.List(Outcome.Equivalent)}");
         Console.WriteLine($"\nNot reached:\n{report.List(Outcome.NotReached)}");
         Console.WriteLine($"\nSurvived:\n{report.List(Outcome.Survived)}");

@@ -16,7 +16,7 @@ internal sealed class Report(IReadOnlyList<(string Room, Mutant Mutant, Verdict 
     /// <summary>Table by room, as Markdown.</summary>
     public string Table()
     {
-        var table = new StringBuilder("| room | mutants | found | by the hash alone | survived | not reached | equivalent | score |\n");
+        var table = new StringBuilder("| room | mutants | found | by held numbers alone | survived | not reached | equivalent | score |\n");
         table.Append("|---|---|---|---|---|---|---|---|\n");
         foreach (IGrouping<string, (string Room, Mutant Mutant, Verdict Verdict)> room
             in results.GroupBy(result => result.Room).OrderBy(room => room.Key, StringComparer.Ordinal))
