@@ -128,6 +128,30 @@ namespace Alate.Tests.Cli
         }
 
         [Test]
+        public void ColoursBeyondTheirRange_StandAtItsEnds() => Assert.That(
+            Read("v 0 0 0 1.5 -1 0.5\nv 1 0 0 0 0 0\nv 0 0 1 1 1 1\nf 1 2 3\n").Colours[0], Is.EqualTo(new Color32(255, 0, 128, 255)));
+
+        // Single precision is enough up to a hundred times the size of the mesh, whichever way that is its largest.
+        [TestCase(1, 0.1, 0.2, false)]
+        [TestCase(0.1, 1, 0.2, false)]
+        [TestCase(0.1, 0.2, 1, false)]
+        [TestCase(0.5, 0.1, 0.2, true)]
+        public void AMesh_IsCountedFromItsMiddle_WhereItIsAHundredOfItsSizesAway(double x, double y, double z, bool isFar)
+        {
+            for (int axis = 0; axis < 3; axis++)
+            {
+                double[] at = [axis == 0 ? 70 : 0, axis == 1 ? -70 : 0, axis == 2 ? 70 : 0];
+                string Vertex(double a, double b, double c) =>
+                    FormattableString.Invariant($"v {at[0] + a * x} {at[1] + b * y} {at[2] + c * z}\n");
+                ObjMesh mesh = Read(Vertex(0.3, 0, 1) + Vertex(1, 0.2, 0.4) + Vertex(0, 1, 0) + "v 1e6 0 0\nf 1 2 3\n");
+
+                Assert.That(mesh.Origin, Is.EqualTo(isFar ? (at[0] + 0.5 * x, at[1] + 0.5 * y, at[2] + 0.5 * z) : (0.0, 0.0, 0.0))
+                    .Using<(double X, double Y, double Z)>((a,
+                        b) => Math.Abs(a.X - b.X) + Math.Abs(a.Y - b.Y) + Math.Abs(a.Z - b.Z) < 1e-9));
+            }
+        }
+
+        [Test]
         public void WhatIsNoSurface_IsPassedOver()
         {
             ObjMesh mesh = Read(

@@ -1,6 +1,8 @@
 using System;
+using System.Globalization;
 using System.IO;
 using System.Linq;
+using System.Text.RegularExpressions;
 using System.Xml.Linq;
 using Alate.Authoring;
 using Alate.Cli;
@@ -42,6 +44,72 @@ namespace Alate.Tests.Cli
             Assert.That(svg.Elements(ns + "polyline").Count(), Is.GreaterThan(6 + 3), "chains and veins");
             Assert.That(Directory.GetFiles(m_Run.Out).Select(Path.GetFileName),
                 Is.EquivalentTo(new[] { "skeleton.json", "wing.obj", "wing.mtl", "wing.png", "overlay.svg" }));
+        }
+
+        // Everything lies on the picture where the trace has it, in lines of a five hundredth of its longer side.
+        [Test]
+        public void TheOverlay_HasEachSideOfTheMeshOnce_TheOutline_AndEachJoint()
+        {
+            DrawnPicture drawn = new DrawnVeinPicture(DrawnWing.Monarch(), 300, 6, VeinLook.Photo).Picture;
+            var file = PictureFile.Read(Image("wing.png", drawn));
+            WingTracingSettings settings = WingTracingSettings.Default;
+            settings.triangles = 100;
+            WingTrace trace = WingTracer.Trace(file.Picture, settings);
+            XElement svg = XElement.Parse(TracePicture.Draw(file, trace));
+            XNamespace ns = svg.Name.Namespace;
+            double line = Math.Max(file.Picture.Width, file.Picture.Height) / 500.0;
+            double[] Numbers(string text) => Regex.Matches(text,
+                @"-?\d+(\.\d+)?").Select(number => double.Parse(number.Value, CultureInfo.InvariantCulture)).ToArray();
+            double Of(XElement element, string name) => double.Parse((string)element.Attribute(name), CultureInfo.InvariantCulture);
+            void AssertNear(double[] told, System.Collections.Generic.IEnumerable<Vector2> places) =>
+                Assert.That(told, Is.EqualTo(places.SelectMany(place => new double[] { place.x, place.y })).Within(0.051));
+
+            Assert.That(Numbers((string)svg.Attribute("viewBox")),
+                Is.EqualTo(new[] { 0.0, 0, file.Picture.Width, file.Picture.Height + 30 * line }).Within(0.01));
+            XElement mesh = svg.Elements(ns + "path").Single();
+            Vector2[] corners = Array.ConvertAll(trace.Surface.positions, trace.Placement.ToPicture);
+            var sides = trace.Surface.triangles.Select((a, k) => (a, b: trace.Surface.triangles[k % 3 == 2 ? k - 2 : k + 1]))
+                .GroupBy(side => (Math.Min(side.a, side.b), Math.Max(side.a, side.b))).Select(side => side.First()).ToArray();
+            AssertNear(Numbers((string)mesh.Attribute("d")), sides.SelectMany(side => new[] { corners[side.a], corners[side.b] }));
+            Assert.That(Of(mesh, "stroke-width"), Is.EqualTo(0.25 * line).Within(0.006));
+            XElement outline = svg.Elements(ns + "polygon").Single();
+            AssertNear(Numbers((string)outline.Attribute("points")), trace.Outline);
+            Assert.That(Of(outline, "stroke-width"), Is.EqualTo(line).Within(0.006));
+            XElement[] lines = svg.Elements(ns + "polyline").ToArray(), dots = svg.Elements(ns + "circle").ToArray();
+            Assert.That(lines, Has.Length.EqualTo(trace.Veins.Count + trace.Skeleton.ChainCount));
+            for (int k = 0; k < trace.Veins.Count; k++)
+                AssertNear(Numbers((string)lines[k].Attribute("points")), trace.Veins[k]);
+            Assert.That(trace.Veins.Count == 0 ? 1.2 * line : Of(lines[0], "stroke-width"), Is.EqualTo(1.2 * line).Within(0.006));
+            Assert.That(dots, Has.Length.EqualTo(trace.Skeleton.ChainCount * trace.Skeleton.JointsPerChain + 1));
+            for (int chain = 0; chain < trace.Skeleton.ChainCount; chain++)
+            {
+                Vector2[] joints = Array.ConvertAll(trace.Skeleton.Chains[chain].joints, trace.Placement.ToPicture);
+                XElement own = lines[trace.Veins.Count + chain];
+                AssertNear(Numbers((string)own.Attribute("points")), joints);
+                Assert.That(((string)own.Attribute("stroke"), Of(own, "stroke-width")),
+                    Is.EqualTo((trace.FollowsVein[chain] ? "#c026d3" : "#dc2626", Math.Round(1.5 * line, 2))));
+                for (int k = 0; k < joints.Length; k++)
+                {
+                    XElement dot = dots[chain * joints.Length + k];
+                    AssertNear([Of(dot, "cx"), Of(dot, "cy")], [joints[k]]);
+                    Assert.That((Of(dot, "r"), (string)dot.Attribute("fill"), (string)dot.Attribute("stroke")),
+                        Is.EqualTo((Math.Round(2.5 * line, 2), (string)own.Attribute("stroke"), "none")));
+                }
+            }
+
+            AssertNear([Of(dots[^1], "cx"), Of(dots[^1], "cy")], [trace.Placement.ToPicture(trace.Skeleton.Hinge)]);
+            Assert.That((Of(dots[^1], "r"), (string)dots[^1].Attribute("fill")), Is.EqualTo((Math.Round(6 * line, 2), "none")));
+            XElement[] texts = svg.Elements(ns + "text").ToArray();
+            Assert.That(texts[0].Value, Is.EqualTo("300 × 300 pixels, 100 triangles"));
+            int on = trace.FollowsVein.Count(follows => follows);
+            Assert.That(texts[1].Value, Is.EqualTo(
+                $"outlineveins: {trace.Veins.Count}chains on veins: {on}other chains: {trace.Skeleton.ChainCount - on}"));
+            Assert.That(texts.Select(text => Of(text, "y")), Is.EqualTo(new[] { 300 + 13 * line, 300 + 26 * line }).Within(0.006));
+            Assert.That(texts.Select(text => (Of(text, "x"), Of(text, "font-size"))),
+                Is.All.EqualTo((Math.Round(11 * line, 2), Math.Round(11 * line, 2))));
+            XElement image = svg.Elements(ns + "image").Single();
+            Assert.That(Convert.FromBase64String(((string)image.Attribute("href")).Split(',')[1]), Is.EqualTo(file.Bytes));
+            Assert.That((Of(image, "width"), Of(image, "height")), Is.EqualTo(((double)file.Picture.Width, (double)file.Picture.Height)));
         }
 
         [Test]

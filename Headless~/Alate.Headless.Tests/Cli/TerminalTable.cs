@@ -3,7 +3,7 @@ using System.Linq;
 
 namespace Alate.Tests.Cli;
 
-/// <summary>Tables as the terminal shows them, cell by cell; a row with one cell alone, or none in front, goes on with the one before.</summary>
+/// <summary>Tables of the terminal, cell by cell; a row with one cell alone, or none in front, belongs to the one before.</summary>
 internal static class TerminalTable
 {
     /// <summary>Rows of the table behind a heading, the first of them its own heading.</summary>

@@ -1,0 +1,182 @@
+using System;
+using System.Collections.Generic;
+using System.Globalization;
+using System.IO;
+using System.Linq;
+using System.Text.Json;
+using System.Text.RegularExpressions;
+using Alate.Catalogue;
+using Alate.Cli;
+using Alate.Crowds;
+using Alate.Tests.Cli;
+using NUnit.Framework;
+using Unity.Mathematics;
+using UnityEngine;
+
+namespace Alate.Tests.Bakes;
+
+/// <summary>What baked files hold beside their shapes: looks, coordinates, joints and times, each beside the bake.</summary>
+public sealed class BakeLaws
+{
+    private InsectBake m_Bake;
+
+    [OneTimeSetUp]
+    public void Bake() => m_Bake = new BakePlan
+    {
+        Species = InsectCatalogue.Find("fishfly"),
+        Motions = [BakeMotion.Find("cruise"), BakeMotion.Find("rest")],
+        Frames = 6,
+    }.Bake(out _);
+
+    [TestCase("skin")]
+    [TestCase("morph")]
+    public void EachPart_HasItsLookItsCornersAndItsCoordinates(string form)
+    {
+        GlbFile file = File(form);
+        JsonElement[] primitives = [.. file.Root.GetProperty("meshes")[0].GetProperty("primitives").EnumerateArray()];
+        Assert.That(primitives, Has.Length.EqualTo(m_Bake.Surface.Parts.Count));
+        Assert.That(file.Root.GetProperty("meshes")[0].GetProperty("name").GetString(), Is.EqualTo("fishfly"));
+        Assert.That(file.Root.GetProperty("materials").GetArrayLength(), Is.EqualTo(m_Bake.Surface.Parts.Distinct().Count()));
+        for (int k = 0; k < primitives.Length; k++)
+        {
+            BakedPart part = m_Bake.Surface.Parts[k];
+            JsonElement look = file.Root.GetProperty("materials")[primitives[k].GetProperty("material").GetInt32()],
+                attributes = primitives[k].GetProperty("attributes");
+            bool isGlass = part.HasColours && part.Triangles.Any(vertex => m_Bake.Surface.Colours[vertex].a < 255);
+            Assert.That((look.GetProperty("name").GetString(), look.GetProperty("alphaMode").GetString()),
+                Is.EqualTo((part.Name, isGlass ? "BLEND" : "OPAQUE")));
+            // glTF's axes turn every triangle round.
+            int[] told = [.. file.Read(primitives[k].GetProperty("indices").GetInt32()).Select(index => (int)index)];
+            Assert.That(told.Chunk(3).Select(Turned),
+                Is.EqualTo(part.Triangles.Chunk(3).Select(corners => Turned([corners[0], corners[2], corners[1]]))));
+            double[] uvs = file.Read(attributes.GetProperty("TEXCOORD_0").GetInt32());
+            Assert.That(uvs, Is.EqualTo(m_Bake.Surface.Uvs.SelectMany(uv => new double[] { uv.x, 1f - uv.y })).Within(1e-6));
+            double[] colours = file.Read(attributes.GetProperty("COLOR_0").GetInt32());
+            for (int vertex = 0; vertex < m_Bake.Surface.VertexCount; vertex += 7)
+            {
+                Color32 own = m_Bake.Surface.Colours[vertex];
+                Assert.That(colours[4 * vertex + 3], Is.EqualTo(own.a / 255.0).Within(1e-4));
+                Assert.That(colours[4 * vertex], Is.EqualTo(Math.Pow((own.r / 255.0 + 0.055) / 1.055, 2.4)).Within(3e-3), "linear light");
+            }
+        }
+
+        static (int, int, int) Turned(int[] corners)
+        {
+            int first = Array.IndexOf(corners, corners.Min());
+            return (corners[first], corners[(first + 1) % 3], corners[(first + 2) % 3]);
+        }
+    }
+
+    [TestCase("skin")]
+    [TestCase("morph")]
+    public void EachClip_IsAnAnimation_AsLongAsItsLoop_ThatEndsAsItBegins(string form)
+    {
+        GlbFile file = File(form);
+        JsonElement[] animations = [.. file.Root.GetProperty("animations").EnumerateArray()];
+        Assert.That(animations.Select(animation => animation.GetProperty("name").GetString()), Is.EqualTo(new[] { "cruise", "rest" }));
+        for (int clip = 0; clip < 2; clip++)
+        {
+            foreach (JsonElement sampler in animations[clip].GetProperty("samplers").EnumerateArray())
+            {
+                double[] times = file.Read(sampler.GetProperty("input").GetInt32()),
+                    values = file.Read(sampler.GetProperty("output").GetInt32());
+                int frames = m_Bake.Clips[clip].Frames.Count, width = values.Length / (frames + 1);
+                Assert.That(times, Is.EqualTo(Enumerable.Range(0,
+                    frames + 1).Select(k => k / (frames * (double)m_Bake.Clips[clip].Frequency))).Within(1e-6));
+                double sign = Math.Sign(values[..width].Zip(values[^width..], (a, b) => a * b).Sum() + 1e-30);
+                Assert.That(values[^width..].Select(value => sign * value), Is.EqualTo(values[..width]).Within(1e-6));
+            }
+        }
+    }
+
+    [Test]
+    public void Joints_HangOnTheirChains_AtTheirRest_AndVerticesHaveTheirShares()
+    {
+        GlbFile file = File("skin");
+        JsonElement[] nodes = [.. file.Root.GetProperty("nodes").EnumerateArray()];
+        JsonElement skin = file.Root.GetProperty("skins")[0];
+        int[] joints = [.. skin.GetProperty("joints").EnumerateArray().Select(joint => joint.GetInt32())];
+        double[] binds = file.Read(skin.GetProperty("inverseBindMatrices").GetInt32());
+        int mesh = Array.FindIndex(nodes, node => node.TryGetProperty("mesh", out _)), root = skin.GetProperty("skeleton").GetInt32();
+
+        Assert.That((nodes[root].GetProperty("name").GetString(), joints[0], nodes[mesh].GetProperty("skin").GetInt32()),
+            Is.EqualTo(("root", root, 0)));
+        Assert.That(skin.GetProperty("name").GetString(), Is.EqualTo("fishfly"));
+        Assert.That(file.Root.GetProperty("scenes")[0].GetProperty("nodes").EnumerateArray().Select(node => node.GetInt32()),
+            Is.EquivalentTo(new[] { root, mesh }));
+        Assert.That(nodes[root].GetProperty("children").EnumerateArray().Select(child =>
+            nodes[child.GetInt32()].GetProperty("name").GetString()),
+            Is.EqualTo(m_Bake.Wings.Select(wing => wing.Name)));
+        foreach (BakedWing wing in m_Bake.Wings)
+        {
+            for (int k = 0; k < wing.RestJoints.Length; k++)
+            {
+                int own = 1 + wing.FirstJoint + k, node = joints[own], along = k % wing.JointsPerChain;
+                float3 rest = wing.RestJoints[k] * new float3(-1f, 1f, 1f) * m_Bake.MetresPerUnit,
+                    before = along == 0 ? 0f : wing.RestJoints[k - 1] * new float3(-1f, 1f, 1f) * m_Bake.MetresPerUnit;
+                double[] told = [.. nodes[node].GetProperty("translation").EnumerateArray().Select(number => number.GetDouble())];
+                Assert.That(nodes[node].GetProperty("name").GetString(),
+                    Is.EqualTo($"{wing.Name} {k / wing.JointsPerChain + 1}.{along + 1}"));
+                for (int axis = 0; axis < 3; axis++)
+                {
+                    Assert.That(told[axis], Is.EqualTo(rest[axis] - before[axis]).Within(1e-7));
+                    Assert.That(binds[16 * own + 12 + axis], Is.EqualTo(-rest[axis]).Within(1e-7));
+                }
+
+                int parent = Array.FindIndex(nodes, candidate => candidate.TryGetProperty("children", out JsonElement children)
+                    && children.EnumerateArray().Any(child => child.GetInt32() == node));
+                Assert.That(nodes[parent].GetProperty("name").GetString(),
+                    Is.EqualTo(along == 0 ? wing.Name : $"{wing.Name} {k / wing.JointsPerChain + 1}.{along}"));
+                Assert.That(nodes[node].TryGetProperty("children", out _), Is.EqualTo(along < wing.JointsPerChain - 1));
+            }
+        }
+
+        JsonElement attributes = file.Root.GetProperty("meshes")[0].GetProperty("primitives")[0].GetProperty("attributes");
+        double[] of = file.Read(attributes.GetProperty("JOINTS_0").GetInt32()),
+            shares = file.Read(attributes.GetProperty("WEIGHTS_0").GetInt32());
+        var onWings = m_Bake.Wings.SelectMany(wing => wing.Vertices.Select((vertex, k) => (vertex, wing,
+            k))).ToDictionary(one => one.vertex);
+        for (int vertex = 0; vertex < m_Bake.Surface.VertexCount; vertex++)
+        {
+            double[] own = shares[(4 * vertex)..(4 * vertex + 4)], at = of[(4 * vertex)..(4 * vertex + 4)];
+            Assert.That(own.Sum(), Is.EqualTo(1.0).Within(1e-5));
+            if (!onWings.TryGetValue(vertex, out (int, BakedWing Wing, int K) one))
+            {
+                Assert.That((own[0], at.Sum()), Is.EqualTo((1.0, 0.0)), "the body hangs on the root");
+                continue;
+            }
+
+            for (int c = 0; c < 4; c++)
+            {
+                Assert.That(own[c], Is.EqualTo(one.Wing.VertexWeights[one.K][c] / math.csum(one.Wing.VertexWeights[one.K])).Within(1e-5));
+                Assert.That(at[c], Is.EqualTo(own[c] == 0.0 ? 0 : one.Wing.VertexJoints[one.K][c] + one.Wing.FirstJoint + 1));
+            }
+        }
+    }
+
+    [Test]
+    public void TheReport_TellsTheInsect_ItsClips_AndHowFarASmallerMeshIs()
+    {
+        using var run = new CommandRun();
+        Assert.That(run.Run("bake", "monarch", "--frames", "4", "--triangles", "160", "--format", "gltf-morph", "--out", run.Out), Is.Zero,
+            run.Errors);
+        InsectBake bake = new BakePlan { Species = InsectCatalogue.Find("monarch"), Frames = 4, Triangles = 160 }.Bake(out float error);
+        Match told = Regex.Match(run.Output, @"The smaller mesh is ([\d.]+) % of the wing length");
+
+        Assert.That(error, Is.GreaterThan(0.001f));
+        Assert.That(double.Parse(told.Groups[1].Value, CultureInfo.InvariantCulture), Is.EqualTo(100 * error).Within(0.0051));
+        Assert.That(run.Output, Does.Contain($"Monarch: {bake.Surface.VertexCount} vertices, {bake.Surface.TriangleCount} triangles"));
+        Assert.That(run.Output.ReplaceLineEndings("\n"), Does.EndWith($"Written:\n  {Path.Combine(run.Out, "monarch-morph.glb")}\n"));
+        Assert.That(Directory.GetFiles(run.Out, "*", SearchOption.AllDirectories), Has.Length.EqualTo(1));
+    }
+
+    private GlbFile File(string form)
+    {
+        using var stream = new MemoryStream();
+        if (form == "skin")
+            SkinGlb.Write(m_Bake, stream);
+        else
+            MorphGlb.Write(m_Bake, stream);
+        return new GlbFile(stream.ToArray());
+    }
+}
