@@ -101,18 +101,18 @@ internal static class FlightFigures
         }
     }
 
-    private static string[] Beat(double frequency, double[] flaps, double[] planes, string pitch) =>
+    internal static string[] Beat(double frequency, double[] flaps, double[] planes, string pitch) =>
         [Text($"{frequency:0.0}"), Text($"{flaps[0]:0}°"), Text($"{flaps[1]:0}°"), Text($"{planes[0]:0}°"), Text($"{planes[1]:0}°"), pitch];
 
-    private static double[] Flaps(FlightModel model, TrimState trim) =>
+    internal static double[] Flaps(FlightModel model, TrimState trim) =>
         [.. RightWings(model).Select(wing => 360 / Math.PI * wing.Parameters.amplitude.x * trim.AmplitudeScale)];
 
-    private static double[] Planes(FlightModel model, TrimState trim) =>
+    internal static double[] Planes(FlightModel model, TrimState trim) =>
         [.. RightWings(model).Select(wing => 90 - 180 / Math.PI * (wing.Parameters.tilt + trim.Tilt + trim.Pitch))];
 
     private static IEnumerable<FlightWing> RightWings(FlightModel model) => model.Wings.Where(wing => !wing.IsLeft);
 
-    private static string Percent(double share) => Text($"{100 * share + 0.0:0} %");
+    internal static string Percent(double share) => Text($"{100 * share + 0.0:0} %");
 
     private static string Text(FormattableString text) => text.ToString(CultureInfo.InvariantCulture).Replace('-', '−');
 }

@@ -104,19 +104,19 @@ internal static class ButterflyRows
     });
 
     // Mean force of all wings along the way of the body, over the weight.
-    private static double Thrust(FlightRecord flight)
+    internal static double Thrust(FlightRecord flight)
     {
         return flight.Plan.ToWorld(FlightSummary.Of(flight).MeanForce).z
             / (EarthGravity.Precise * flight.Wings[0].Wing.Preset.Size.insectMass);
     }
 
-    private static double Twists(FlightRecord flight) => Largest(flight, false) / Largest(flight, true);
+    internal static double Twists(FlightRecord flight) => Largest(flight, false) / Largest(flight, true);
 
     private static double Largest(FlightRecord flight, bool down) =>
         Half(flight, down).Max(frame => Math.Abs(flight.Wings[0].Measurement.Twist(frame.Positions)));
 
     // The product over its size, times the smaller of both: below 0 where the sign turns, and how far.
-    private static double Cambers(FlightRecord flight)
+    internal static double Cambers(FlightRecord flight)
     {
         double down = Mean(flight, true), up = Mean(flight, false);
         return 100 * Math.Sign(down * up) * Math.Min(Math.Abs(down), Math.Abs(up));
@@ -129,9 +129,9 @@ internal static class ButterflyRows
         return down ? camber.Mean(0, 0.5) : camber.Mean(0.5, 1);
     }
 
-    private static double Radians(double degrees) => Math.PI / 180 * degrees;
+    internal static double Radians(double degrees) => Math.PI / 180 * degrees;
 
-    private static double Degrees(double? radians) => 180 / Math.PI * (radians ?? double.NaN);
+    internal static double Degrees(double? radians) => 180 / Math.PI * (radians ?? double.NaN);
 
     private static string Text(FormattableString text) =>
         text.ToString(System.Globalization.CultureInfo.InvariantCulture).Replace('-', '−');

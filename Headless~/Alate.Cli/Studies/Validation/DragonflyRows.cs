@@ -130,7 +130,7 @@ internal static class DragonflyRows
         }
     }
 
-    private static double Stroke(IReadOnlyList<double> curve, double middle) => Enumerable.Range(0, curve.Count)
+    internal static double Stroke(IReadOnlyList<double> curve, double middle) => Enumerable.Range(0, curve.Count)
         .Where(n => Math.Abs((double)n / curve.Count - middle - Math.Round((double)n / curve.Count - middle)) < k_Middle + 1e-9)
         .Average(n => curve[n]);
 
@@ -192,7 +192,7 @@ internal static class DragonflyRows
         return Math.Clamp(both / alone, -1, 1);
     }
 
-    private static ValidationRow Near(
+    internal static ValidationRow Near(
         string what, string name, double measured, double band, string source, double ours, double fine, string cause) => new(
         $"{name}: {what} of the vertical force over the weight", (1 - band) * measured, (1 + band) * measured,
         FormattableString.Invariant($"{measured:0.00} ± {100 * band:0} %"), source, ours, fine, cause);

@@ -1,0 +1,152 @@
+using System;
+using System.Collections.Generic;
+using System.Linq;
+using Alate.Catalogue;
+using Alate.Cli;
+using Alate.Flight;
+using NUnit.Framework;
+using Unity.Mathematics;
+
+namespace Alate.Tests.Cli;
+
+/// <summary>What the rows of comparisons with measurements are computed from, beside sums over the frames and closed forms.</summary>
+public sealed class ValidationLaws
+{
+    private FlightRecord m_Flight;
+
+    [OneTimeSetUp]
+    public void Fly() => m_Flight = TetheredFlight.Fly(new FlightPlan { Species = "monarch", Speed = 1.3, PitchDegrees = 25, Substeps = 24,
+        Patches = 64 });
+
+    [Test]
+    public void ThrustOfAHeldFlight_IsItsMeanForceAlongItsWay_OverItsWeight()
+    {
+        double force = 0.0, pitch = 25 * Math.PI / 180;
+        foreach (RecordedWing wing in m_Flight.Wings)
+        {
+            force += wing.Frames.Average(frame => (Math.Cos(pitch) * frame.AirForce.z - Math.Sin(pitch) * frame.AirForce.y)
+                * wing.Wing.Preset.Size.wingMass * wing.Wing.Preset.Size.wingLength);
+        }
+
+        Assert.That(ButterflyRows.Thrust(m_Flight),
+            Is.EqualTo(force / (9.81 * m_Flight.Wings[0].Wing.Preset.Size.insectMass)).Within(1e-4));
+    }
+
+    [Test]
+    public void TwistsAndCambers_AreOfTheUpstrokeOverTheDownstroke_AndTheSmallerMeanWhereBothHaveOneSign()
+    {
+        RecordedWing wing = m_Flight.Wings[0];
+        double Most(bool down) => wing.Frames.Where(frame => frame.Phase < Math.PI == down).Max(frame =>
+            Math.Abs(wing.Measurement.Twist(frame.Positions)));
+        double Mean(bool down) => wing.Frames.Where(frame => frame.Phase < Math.PI == down).Average(frame =>
+            (double)wing.Measurement.Camber(frame.Positions));
+        double one = 100 * Mean(true), other = 100 * Mean(false);
+
+        Assert.That(ButterflyRows.Twists(m_Flight), Is.EqualTo(Most(false) / Most(true)).Within(1e-6));
+        // Means of frames miss the ends of the half strokes by half a frame.
+        double told = ButterflyRows.Cambers(m_Flight),
+            whole = wing.Frames.Max(frame => 100.0 * Math.Abs(wing.Measurement.Camber(frame.Positions)));
+        Assert.That(Math.Abs(told), Is.EqualTo(Math.Min(Math.Abs(one), Math.Abs(other))).Within(0.1 * whole));
+        Assert.That(told < 0, Is.EqualTo(one * other < 0));
+        Assert.That((ButterflyRows.Degrees(Math.PI / 3), ButterflyRows.Radians(90), ButterflyRows.Degrees(null)),
+            Is.EqualTo((60.0, Math.PI / 2, double.NaN)).Using<(double, double, double)>((a, b) =>
+                Math.Abs(a.Item1 - b.Item1) + Math.Abs(a.Item2 - b.Item2) < 1e-9 && double.IsNaN(a.Item3) == double.IsNaN(b.Item3)));
+    }
+
+    // Places within a tenth of a beat of the middle, over the end of the beat too.
+    [TestCase(0.44, new[] { 4, 5 })]
+    [TestCase(0.5, new[] { 4, 5, 6 })]
+    [TestCase(0.94, new[] { 9, 0 })]
+    [TestCase(0.0, new[] { 9, 0, 1 })]
+    public void TheMiddleOfAStroke_IsATenthOfABeatAround(double middle, int[] places)
+    {
+        double[] curve = [.. Enumerable.Range(0, 10).Select(k => (double)(1 << k))];
+
+        Assert.That(DragonflyRows.Stroke(curve, middle), Is.EqualTo(places.Average(k => curve[k])).Within(1e-9));
+    }
+
+    [Test]
+    public void ARowNearAMeasuredValue_HasItsBandOnBothSides()
+    {
+        ValidationRow row = DragonflyRows.Near("mean", "dragonfly", 2.0, 0.3, "a source", 1.5, 1.75, "a cause");
+
+        Assert.That((row.Low, row.High), Is.EqualTo((1.4, 2.6)).Using<(double, double)>((a, b) =>
+            Math.Abs(a.Item1 - b.Item1) + Math.Abs(a.Item2 - b.Item2) < 1e-9));
+        Assert.That((row.Title, row.Measured, row.Source, row.Ours, row.Fine, row.Cause), Is.EqualTo(
+            ("dragonfly: mean of the vertical force over the weight", "2.00 ± 30 %", "a source", 1.5, 1.75, "a cause")));
+    }
+
+    [Test]
+    public void Correlations_AreOneForLines_MinusOneForFallingOnes_AndLeaveOutHoles()
+    {
+        double[] a = [1, 2, 4, 7, 11];
+
+        Assert.That(DragonflyRows.Correlation(a, [.. a.Select(value => 3 * value - 20)]), Is.EqualTo(1).Within(1e-12));
+        Assert.That(DragonflyRows.Correlation(a, [.. a.Select(value => 5 - value)]), Is.EqualTo(-1).Within(1e-12));
+        // Pearson's, of the deviations −1, 0, 1 and 1, −2, 1: they are at right angles.
+        Assert.That(DragonflyRows.Correlation([1, 2, 3], [3, 0, 3]), Is.Zero.Within(1e-12));
+        Assert.That(DragonflyRows.Correlation([1, 2, 3, 100], [3, 0, 6, double.NaN]), Is.EqualTo(3 / Math.Sqrt(2 * 18)).Within(1e-12));
+    }
+
+    // Flaps from end to end and stroke planes off the horizontal, of a trim that scales the beat and leans it back.
+    [Test]
+    public void TheBeatOfATrim_IsToldInDegrees_ForEachKindOfWing()
+    {
+        using FlightModel model = CatalogueFlight.CreateModel(InsectCatalogue.Find("dragonfly"));
+        using var solver = new TrimSolver(model);
+        TrimState trim = solver.Start();
+        trim.z[0] = 0.3;
+        trim.z[2] = 1.25;
+        trim.z[3] = -0.1;
+        FlightWing[] right = [.. model.Wings.Where(wing => !wing.IsLeft)];
+        double[] flaps = FlightFigures.Flaps(model, trim), planes = FlightFigures.Planes(model, trim);
+        for (int k = 0; k < 2; k++)
+        {
+            Assert.That(flaps[k] * Math.PI / 180, Is.EqualTo(2 * 1.25 * right[k].Parameters.amplitude.x).Within(1e-6));
+            Assert.That((90 - planes[k]) * Math.PI / 180, Is.EqualTo(right[k].Parameters.tilt + 0.3 - 0.1).Within(1e-6));
+        }
+
+        Assert.That(FlightFigures.Beat(33.44, [70.4, 60.6], [40.2, 30.7], "5°"),
+            Is.EqualTo(new[] { "33.4", "70°", "61°", "40°", "31°", "5°" }));
+        Assert.That((FlightFigures.Percent(0.125 + 0.001), FlightFigures.Percent(-0.25)), Is.EqualTo(("13 %", "−25 %")));
+    }
+
+    // The lift of the tethered dragonfly, in weights: the force of four wings, left ones mirrored.
+    [Test]
+    public void ARunOfADragonfly_HasItsForcesOverItsWeight_AndItsPowerOverItsMass()
+    {
+        MeasuredDragonfly measured = MeasuredDragonfly.Flights[1];
+        var run = DragonflyRun.Fly(measured, false, 24);
+        int count = run.Record.Wings[0].Frames.Count;
+        for (int k = 0; k < count; k++)
+        {
+            double up = 0, ahead = 0, power = 0;
+            foreach (RecordedWing wing in run.Record.Wings)
+            {
+                double mass = wing.Wing.Preset.Size.wingMass, length = wing.Wing.Preset.Size.wingLength;
+                RecordedFrame frame = wing.Frames[k];
+                up += mass * length * frame.AirForce.y;
+                ahead += mass * length * frame.AirForce.z;
+                // Loads against the way of their joints, from the frame before to the one behind.
+                float3[] before = wing.Frames[(k + count - 1) % count].Joints, after = wing.Frames[(k + 1) % count].Joints;
+                double time = 2.0 / (count * wing.Frequency);
+                for (int joint = 0; joint < before.Length; joint++)
+                    power -= mass * length * length * math.dot(frame.AirLoads[joint], after[joint] - before[joint]) / time;
+            }
+
+            Assert.That(run.Lift[k], Is.EqualTo(up / (9.81 * 790e-6)).Within(1e-4 + 1e-4 * Math.Abs(run.Lift[k])));
+            Assert.That(run.Thrust[k], Is.EqualTo(ahead / (9.81 * 790e-6)).Within(1e-4 + 1e-4 * Math.Abs(run.Thrust[k])));
+            Assert.That(run.Power[k], Is.EqualTo(power / 790e-6).Within(1e-2 + 1e-3 * Math.Abs(run.Power[k])));
+        }
+
+        Assert.That(run.Record.Wings[0].Wing.Preset.Size.wingLength, Is.EqualTo(0.05f), "the published length");
+        Assert.That(run.Record.Wings[2].Wing.Preset.Size.wingLength, Is.EqualTo(0.0485f));
+        IReadOnlyList<WingDefinition> kinds = InsectCatalogue.Find("dragonfly").Wings;
+        for (int kind = 0; kind < 2; kind++)
+        {
+            double ours = kinds[kind].Outline.Area * measured.Lengths[kind] * measured.Lengths[kind];
+            Assert.That(run.Record.Wings[2 * kind].Wing.Preset.Size.fluidDensity / kinds[kind].CreatePreset().Size.fluidDensity,
+                Is.EqualTo(measured.Areas[kind] / ours).Within(0.01).Percent, "forces go with the published area");
+        }
+    }
+}
