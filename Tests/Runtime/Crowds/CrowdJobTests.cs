@@ -222,6 +222,34 @@ namespace Alate.Tests.Crowds
             Assert.That(
                 () => job.Validate(), Throws.ArgumentException.With.Message.EqualTo("CrowdJob.tints has room for 1; the job needs 2."));
         }
+
+        private delegate void Edit(ref CrowdJob job);
+
+        [Test]
+        public void EachArrayThatIsTooShort_IsNamed()
+        {
+            CrowdPose[] poses = { CrowdPose.At(default, quaternion.identity), CrowdPose.At(default, quaternion.identity) };
+            foreach ((string name, Edit edit) in new (string, Edit)[]
+            {
+                ("loops", (ref CrowdJob job) => job.loops = Keep(new NativeArray<LoopRows>(0, Allocator.Persistent))),
+                ("sizes", (ref CrowdJob job) => job.sizes = Keep(new NativeArray<byte>(1, Allocator.Persistent))),
+                ("counts", (ref CrowdJob job) => job.counts = Keep(new NativeArray<int>(3, Allocator.Persistent))),
+                ("matrices", (ref CrowdJob job) => job.matrices = Keep(new NativeArray<float4x4>(1, Allocator.Persistent))),
+                ("rows", (ref CrowdJob job) => job.rows = Keep(new NativeArray<float4>(1, Allocator.Persistent))),
+                ("nextRows", (ref CrowdJob job) => job.nextRows = Keep(new NativeArray<float4>(1, Allocator.Persistent))),
+                ("nearestDistances",
+                    (ref CrowdJob job) => job.nearestDistances = Keep(new NativeArray<float>(job.nearest.Length - 1, Allocator.Persistent))),
+                ("radius", (ref CrowdJob job) => job.radius = -1f),
+                ("sizeCount", (ref CrowdJob job) => job.sizeCount = 0),
+                ("hiddenCount", (ref CrowdJob job) => job.hiddenCount = job.hidden.Length + 1),
+                ("hiddenCount", (ref CrowdJob job) => job.hiddenCount = -1),
+            })
+            {
+                CrowdJob job = Job(poses);
+                edit(ref job);
+                Assert.That(() => job.Validate(), Throws.ArgumentException.With.Message.StartsWith($"CrowdJob.{name} "), name);
+            }
+        }
 #endif
 
         private CrowdJob Job(CrowdPose[] poses, int ranked = 4, params int[] hidden) => new CrowdJob

@@ -135,6 +135,28 @@ namespace Alate.Tests.Crowds
             job.time = float.PositiveInfinity;
             Assert.That(() => job.Validate(3), Throws.ArgumentException.With.Message.StartsWith("SpawnJob.time is"));
         }
+
+        private delegate void Edit(ref SpawnJob job);
+
+        [Test]
+        public void EachNumberOutOfRange_IsNamed()
+        {
+            using var poses = new NativeArray<CrowdPose>(3, Allocator.Persistent);
+            foreach ((string name, Edit edit) in new (string, Edit)[]
+            {
+                ("half", (ref SpawnJob job) => job.half.x = float.PositiveInfinity), ("half", (ref SpawnJob job) => job.half.z = -2f),
+                ("speed", (ref SpawnJob job) => job.speed = -1f), ("speed", (ref SpawnJob job) => job.speed = float.NaN),
+                ("speeds", (ref SpawnJob job) => job.speeds.x = float.NaN),
+                ("speeds", (ref SpawnJob job) => job.speeds.y = float.PositiveInfinity),
+                ("sizes", (ref SpawnJob job) => job.sizes = float.NaN), ("loop", (ref SpawnJob job) => job.loop = -1),
+            })
+            {
+                SpawnJob job = Job(1f);
+                job.poses = poses;
+                edit(ref job);
+                Assert.That(() => job.Validate(3), Throws.ArgumentException.With.Message.StartsWith($"SpawnJob.{name} "), name);
+            }
+        }
 #endif
 
         private static CrowdPose[] Place(SpawnJob job)

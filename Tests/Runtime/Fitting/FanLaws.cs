@@ -153,6 +153,8 @@ namespace Alate.Tests
             Assert.That(ChainOrder.Cross(new[] { level, fork }), Is.False);
             Assert.That(ChainOrder.Cross(new[] { level, Near(2e-4) }), Is.True);
             Assert.That(ChainOrder.Cross(new[] { level, Near(4e-4) }), Is.False);
+            Assert.That(ChainOrder.Cross(new[] { Near(2e-4), level }), Is.True, "whichever comes first");
+            Assert.That(ChainOrder.Cross(new[] { Near(4e-4), level }), Is.False);
         }
 
         [Test]

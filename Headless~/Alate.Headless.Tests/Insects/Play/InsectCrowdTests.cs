@@ -68,7 +68,12 @@ namespace Alate.Tests.Play.Headless
             Assert.That(drawn.Properties["_BakeNextRows"][0], Is.EqualTo(drawn.Properties["_BakeNextRows"][1]));
             Scene.Crowd.LivePrefab = Scene.Prefab;
             Scene.Crowd.LiveCount = 2;
+            int before = Resources.FindObjectsOfTypeAll<InsectWings>().Length;
             yield return Frames(3);
+            Assert.That(Resources.FindObjectsOfTypeAll<InsectWings>(), Has.Length.EqualTo(before + 2), "as many as are asked for");
+            Scene.Crowd.LiveCount = 1;
+            yield return Frames(2);
+            Assert.That(Resources.FindObjectsOfTypeAll<InsectWings>(), Has.Length.EqualTo(before + 1));
         }
 
         [UnityTest]

@@ -63,6 +63,14 @@ namespace Alate.Editor.Tests
         public void SwitchesKeys_AreNoCommands()
         {
             Assert.That(SkeletonCommands.Find(SkeletonKeys.Beat, shift: false), Is.Null);
+            bool shows = m_Session.Overlay.ShowsBeat;
+            SkeletonKeys.Press(m_Session, SkeletonKeys.Beat, EventModifiers.Shift);
+            Assert.That(m_Session.Overlay.ShowsBeat, Is.EqualTo(shows), "with shift it is another key");
+            bool symmetric = m_Session.IsSymmetric;
+            SkeletonKeys.Press(m_Session, SkeletonKeys.Symmetry, EventModifiers.None);
+            Assert.That(m_Session.IsSymmetric, Is.EqualTo(symmetric));
+            SkeletonKeys.Press(m_Session, SkeletonKeys.Symmetry, EventModifiers.Shift);
+            Assert.That(m_Session.IsSymmetric, Is.Not.EqualTo(symmetric));
             Assert.That(SkeletonCommands.Find(SkeletonKeys.Symmetry, shift: true), Is.Null);
         }
 

@@ -124,6 +124,32 @@ namespace Alate.Tests.Flight
         }
 
         [Test]
+        public void AKey_TakesInEachOptionOfTheModel()
+        {
+            var keys = new System.Collections.Generic.HashSet<uint>();
+            int count = 0;
+            foreach (CoefficientSet coefficients in Enum.GetValues(typeof(CoefficientSet)))
+            {
+                foreach (TimeScheme scheme in Enum.GetValues(typeof(TimeScheme)))
+                {
+                    for (int bits = 0; bits < 128; bits++)
+                    {
+                        int b = bits;
+                        keys.Add(KeyOf(Change((ref WingParameters p) => p.options = new ModelOptions
+                        {
+                            coefficients = coefficients, timeScheme = scheme, tangent = (AirTangent)(b & 1), clampLift = (b & 2) != 0,
+                            cycleChange = (CycleChange)(b >> 2 & 1), torqueArm = (TorqueArm)(b >> 3 & 1),
+                            springUnits = (SpringUnits)(b >> 4 & 1), coupling = (MembraneCoupling)(b >> 5 & 1), addedMass = (b & 64) != 0,
+                        })));
+                        count++;
+                    }
+                }
+            }
+
+            Assert.That(keys, Has.Count.EqualTo(count));
+        }
+
+        [Test]
         public void AKey_TakesInMeasuredStiffness_OfEachBone_ButNothingWhereNoneIs()
         {
             uint plain = KeyOf(_ => { });

@@ -133,6 +133,38 @@ namespace Alate.Tests.Flight
             Assert.That(rest.Fold, Is.Zero);
         }
 
+        [Test]
+        public void OneThatHasComeTooLow_FliesRoundAheadAndUp_AwayFromTheSlope_ForAWhile()
+        {
+            float slope = math.radians(40f);
+            var spot = new PerchSpot { normal = new float3(math.sin(slope), math.cos(slope), 0f), heading = 0f };
+            var landing = new Landing(spot, k_Stand);
+            var flyer = new PointFlyer();
+            // Behind the surface of the seat by 5 cm, heading along the slope.
+            float height = k_Stand + Landing.Clearance * flyer.situation.wingLength;
+            flyer.situation.position = 10f * (height - 0.05f) * spot.normal;
+            flyer.situation.velocity = flyer.situation.referenceVelocity = new float3(0f, 0f, 0.6f);
+            FlightCommand command = landing.Next(flyer.situation);
+
+            Assert.That((landing.Attempts, landing.IsFlaring), Is.EqualTo((1, false)));
+            Assert.That(command.velocity.x, Is.GreaterThan(0.05f), "down the slope");
+            Assert.That(command.velocity.z, Is.GreaterThan(0.2f), "ahead");
+            Assert.That(command.velocity.y, Is.GreaterThan(0.6f * flyer.situation.limits.MostClimb));
+            int steps = 0;
+            for (; steps < 200 && landing.Attempts == 1 && Climbs(landing.Next(flyer.situation)); steps++)
+                continue;
+            Assert.That(steps * flyer.situation.deltaTime, Is.EqualTo(1.6f).Within(0.05f), "on the spot until its time is over");
+
+            // On its way it is over as soon as it is far enough.
+            var other = new Landing(spot, k_Stand);
+            other.Next(flyer.situation);
+            Assert.That(Climbs(other.Next(flyer.situation)), Is.True);
+            flyer.situation.position = 10f * (height * spot.normal + new float3(0f, 0.3f, 0.7f));
+            Assert.That(Climbs(other.Next(flyer.situation)), Is.False);
+
+            bool Climbs(FlightCommand now) => now.velocity.y > 0.6f * flyer.situation.limits.MostClimb;
+        }
+
         private static PerchSpot RandomSpot(ref Random random)
         {
             float slope = math.radians(random.NextFloat(0f, 45f)), way = random.NextFloat(0f, 2f * math.PI);

@@ -161,6 +161,7 @@ namespace Alate.Tests
             var sheet = new Sheet();
 
             Assert.Throws<ArgumentException>(() => sheet.Measurement.Measure(sheet.Beat(s_NoStroke, s_Still, 2)));
+            Assert.DoesNotThrow(() => sheet.Measurement.Measure(sheet.Beat(s_NoStroke, s_Still, 3)));
         }
 
         [Test]

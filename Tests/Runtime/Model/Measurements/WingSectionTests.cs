@@ -96,6 +96,19 @@ namespace Alate.Tests
             Assert.That(EdgeStretch.Percentile(values, 0.99f), Is.EqualTo(198f));
             Assert.That(EdgeStretch.Percentile(values, 1f), Is.EqualTo(200f));
             Assert.That(EdgeStretch.Percentile(new[] { 3f }, 0.99f), Is.EqualTo(3f));
+            Assert.That(EdgeStretch.Percentile(values, 0f), Is.EqualTo(1f), "the least");
+        }
+
+        [Test]
+        public void TheLeadingEdge_IsAUnitVector_AlsoBetweenSectionsInOnePlace()
+        {
+            var sheet = new Sheet();
+            var section = WingSection.Cut(sheet.rest, sheet.triangles, 0.3f);
+            var outer = WingSection.Cut(sheet.rest, sheet.triangles, 0.8f);
+
+            Assert.That(SectionTwist.LeadingEdge(section, section, sheet.rest), Is.EqualTo(new float3(1f, 0f, 0f)));
+            float3 edge = SectionTwist.LeadingEdge(section, outer, sheet.Deformed(place => new float3(3f * place.x, 4f * place.x, place.z)));
+            Assert.That(math.distance(edge, new float3(0.6f, 0.8f, 0f)), Is.LessThan(1e-5f));
         }
 
         [Test]

@@ -24,6 +24,7 @@ namespace Alate.Tests
                         chain.joints[j] = new float3(4f, 5f, 6f) + math.rotate(turn, chain.joints[j]);
                 }
 
+                turned.Hinge = turned.Chains[0].joints[0];
                 var plan = new SkeletonPlan(turned, new float3x3(turn));
                 Assert.That(plan.Size, Is.EqualTo(math.max(x, math.max(y, z))).Within(1e-4));
                 Assert.That(plan.HeightExtent, Is.EqualTo(y).Within(1e-4));
