@@ -92,6 +92,49 @@ namespace Alate.Tests.Inspectors
         }
 
         [Test]
+        public void Fields_ChangeWhatTheySay_OfTheSkeletonThatIsChosen()
+        {
+            Put("Chains", 6);
+            Assert.That((Right.Skeleton.ChainCount, Right.Skeleton.JointsPerChain), Is.EqualTo((6, 5)));
+            Put("Joints", 4);
+            Assert.That((Right.Skeleton.ChainCount, Right.Skeleton.JointsPerChain), Is.EqualTo((6, 4)));
+            Assert.That((Draw().Control("Chains").Value, Draw().Control("Joints").Value), Is.EqualTo(("6", "4")));
+
+            Assert.That(Draw().Control("Skeleton").Value, Is.EqualTo("1  Right Wing"));
+            Put("Skeleton", 1);
+            Assert.That(m_Session.Group.Active.Skeleton, Is.SameAs(Left.Skeleton));
+            Put("Chains", 4);
+            Assert.That((Left.Skeleton.ChainCount, Right.Skeleton.ChainCount), Is.EqualTo((4, 6)));
+
+            Press("Show beat (K)");
+            Put("Phase", 0.25f);
+            Assert.That(m_Session.Overlay.Phase, Is.EqualTo(0.25f));
+            Assert.That(m_Session.Overlay.Colours, Is.Null);
+            foreach (RigColourMode mode in System.Enum.GetValues(typeof(RigColourMode)))
+            {
+                Put("Colours", 1 + (int)mode);
+                Assert.That(m_Session.Overlay.Colours, Is.EqualTo(mode));
+            }
+
+            Put("Colours", 0);
+            Assert.That(m_Session.Overlay.Colours, Is.Null);
+            bool labels = m_Session.ShowsLabels;
+            Press("Labels");
+            Assert.That(m_Session.ShowsLabels, Is.Not.EqualTo(labels));
+        }
+
+        [Test]
+        public void TheOverlay_IsThereWhileASkeletonIsEdited()
+        {
+            var overlay = new SkeletonOverlay();
+            Assert.That(overlay.visible, Is.True);
+            Assert.That(DrawnInspector.Of(overlay.OnGUI).Control("Chains").Value, Is.EqualTo("5"));
+            SkeletonSessions.Close(m_Session);
+            Assert.That(overlay.visible, Is.False);
+            Assert.That(DrawnInspector.Of(overlay.OnGUI).Controls, Is.Empty);
+        }
+
+        [Test]
         public void Switches_SwitchTheSession()
         {
             Press("Symmetric (Shift+M)");
@@ -223,6 +266,8 @@ namespace Alate.Tests.Inspectors
         }
 
         private DrawnInspector Draw() => DrawnInspector.Of(() => SkeletonPanel.Draw(m_Session));
+
+        private void Put(string label, object value) => DrawnInspector.Put(() => SkeletonPanel.Draw(m_Session), label, value);
 
         private DrawnInspector Press(string text) => DrawnInspector.Press(() => SkeletonPanel.Draw(m_Session), text);
     }

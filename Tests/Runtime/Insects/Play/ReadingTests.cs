@@ -147,6 +147,36 @@ namespace Alate.Tests.Play
         }
 
         [UnityTest]
+        public IEnumerator ForceAndMoment_AreSumsOfTheWings_MirroredLeftAndRight_AndTurnWithTheInsect()
+        {
+            InsectWings one = Hatch(made => made.UpdateMode = WingUpdateMode.Manual),
+                turned = Hatch(made => made.UpdateMode = WingUpdateMode.Manual);
+            turned.transform.SetPositionAndRotation(new Vector3(40f, 3f, -7f), Quaternion.Euler(0f, 90f, 0f));
+            yield return null;
+            one.Step(0.21f);
+            turned.Step(0.21f);
+            yield return null;
+            Vector3 right = one.AirMomentOf(0), left = one.AirMomentOf(1), force = one.AirForceOf(0);
+
+            // Forces are mirrored in the plane between both sides, moments the other way round.
+            Near(Vector3.Scale(one.AirForceOf(1), new Vector3(-1f, 1f, 1f)), force, 1e-3f);
+            Near(Vector3.Scale(left, new Vector3(1f, -1f, -1f)), right, 1e-3f);
+            Near(one.AirMoment, right + left, 1e-5f);
+            Near(one.AirForce, force + one.AirForceOf(1), 1e-5f);
+            Near(turned.AirMoment, turned.transform.rotation * one.AirMoment, 2e-2f);
+
+            // An arm of a part of the wing's 61 mm, the hinge's place counted in.
+            float arm = right.magnitude / force.magnitude;
+            Assert.That(arm, Is.InRange(0.01f, 0.061f), "metres");
+            Assert.That(() => one.AirMomentOf(2), Throws.TypeOf<ArgumentOutOfRangeException>());
+            one.enabled = false;
+            Assert.That((one.AirMoment, one.AirMomentOf(0), one.AirForce), Is.EqualTo((Vector3.zero, Vector3.zero, Vector3.zero)));
+        }
+
+        private static void Near(Vector3 one, Vector3 other, float share) =>
+            Assert.That((one - other).magnitude, Is.LessThan(share * other.magnitude), $"{one} and {other}");
+
+        [UnityTest]
         public IEnumerator Pitch_IsReadInDegrees_NoseUpPositive([Values(-40f, 0f, 25f, 80f)] float pitch)
         {
             InsectWings insect = Hatch(made => made.transform.rotation = Quaternion.Euler(-pitch, 70f, 0f));
