@@ -13,8 +13,9 @@ using UnityEngine;
 namespace Alate.Tests.Catalogue
 {
     /// <summary>
-    /// What was drawn and tuned stays as it is until somebody changes it: a drawing has no law but itself. The measures of each part of each
-    /// insect stand in Appearance.txt, to be read beside the pictures of the manual; ALATE_WRITE_APPEARANCE=1 writes them.
+    /// Drawings and tuned numbers of the catalogue, which stay until somebody means to change them: a drawing has no law but itself. The
+    /// measures of each part of each insect stand in Appearance.txt, to be read beside the pictures of the manual;
+    /// ALATE_WRITE_APPEARANCE=1 writes them.
     /// </summary>
     public sealed class AppearanceTests
     {

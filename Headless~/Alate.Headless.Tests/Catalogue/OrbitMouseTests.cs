@@ -6,7 +6,7 @@ using Object = UnityEngine.Object;
 
 namespace Alate.Tests.Catalogue
 {
-    /// <summary>What the mouse does to a camera that turns about a point.</summary>
+    /// <summary>Effects of the mouse on a camera that turns about a point.</summary>
     public sealed class OrbitMouseTests
     {
         private GameObject m_Stage;

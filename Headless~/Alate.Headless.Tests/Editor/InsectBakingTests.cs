@@ -45,7 +45,8 @@ public sealed class InsectBakingTests
         Assert.That(lines, Has.Length.EqualTo(1 + 2 + m_Baking.Made.Sizes.Count));
         Assert.That(lines[0], Does.Match(@"^Texture: \d+ x \d+ pixels, \d+ kB$"));
         Assert.That(lines[1], Does.StartWith("cruise: 24 frames at 10.0"));
-        double[] told = [.. Regex.Matches(lines[1].Split("Hz; ")[1], @"\d+\.\d+").Select(m => double.Parse(m.Value, CultureInfo.InvariantCulture))];
+        double[] told = [.. Regex.Matches(lines[1].Split("Hz; ")[1], @"\d+\.\d+")
+            .Select(number => double.Parse(number.Value, CultureInfo.InvariantCulture))];
         Assert.That(told[0], Is.InRange(0.05, 5), "per cent of the wing length");
         Assert.That(told[1], Is.InRange(0.1, 20), "degrees");
         Assert.That(lines[3], Does.Match(@"^Mesh of 2000 triangles: 0\.\d\d % of the wing length$"));

@@ -129,7 +129,8 @@ public sealed class WingFromImageWizardTests
         {
             foreach (Vector3 joint in joints)
             {
-                Assert.That(drawn.Any(disc => disc.Points.Length == 2 && disc.Points[0] == joint && disc.Points[1] == 3f * Vector3.forward));
+                Vector3[] disc = [joint, 3f * Vector3.forward];
+                Assert.That(drawn.Any(line => line.Points.SequenceEqual(disc)));
                 double x = ((joint.x - frame.x) / frame.width * 120 - 60) / 50, y = ((joint.y - frame.y) / frame.height * 80 - 40) / 22;
                 Assert.That(x * x + y * y, Is.LessThan(1.06), "in the wing");
             }

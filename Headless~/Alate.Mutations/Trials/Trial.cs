@@ -35,7 +35,10 @@ internal sealed class Trial(Coverage coverage, Func<WorkerProcess> worker)
             }
 
             if (IsSteady(failed, groups.Take(failed.Group + 1).Select(group => group.Group).ToList()))
-                return new Verdict(Coverage.IsGolden(failed.Name) ? Outcome.FoundByNumber : Outcome.Found, $"{failed.Name}: {failed.Message}");
+            {
+                Outcome found = Coverage.IsGolden(failed.Name) ? Outcome.FoundByNumber : Outcome.Found;
+                return new Verdict(found, $"{failed.Name}: {failed.Message}");
+            }
         }
     }
 

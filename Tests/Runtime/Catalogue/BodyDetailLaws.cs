@@ -7,7 +7,7 @@ using UnityEngine;
 
 namespace Alate.Tests
 {
-    /// <summary>Laws of what stands on a body's parts, and of how the parts are joined: hair, combs, seats of wings, textures, colours.</summary>
+    /// <summary>Laws of hair, combs and seats of wings on a body's parts, and of how parts are joined, textured and coloured.</summary>
     public sealed class BodyDetailLaws
     {
         [Test]
@@ -169,7 +169,7 @@ namespace Alate.Tests
 
             Assert.That((one[0].width, one[0].height), Is.EqualTo((1f - 2f * gap, 1f - 2f * gap)).Using<(float, float)>(Near));
             foreach (Rect shelf in four)
-                Assert.That((shelf.width, shelf.height), Is.EqualTo(((1f - 3f * gap) / 2f, (1f - 3f * gap) / 2f)).Using<(float, float)>(Near));
+                Assert.That((shelf.width, shelf.height), Is.EqualTo((0.5f - 1.5f * gap, 0.5f - 1.5f * gap)).Using<(float, float)>(Near));
             Assert.That(four.Select(shelf => Math.Round(shelf.x, 3) + Math.Round(shelf.y, 3)).OrderBy(sum => sum).ToArray(),
                 Is.EqualTo(new[] { 0.012, 0.509, 0.509, 1.006 }).Within(2e-3), "side by side, then above");
             Assert.That((mixed[2].x, mixed[2].y), Is.EqualTo((gap, gap)), "the longest first");

@@ -8,7 +8,7 @@ using Random = Unity.Mathematics.Random;
 
 namespace Alate.Tests
 {
-    /// <summary>Laws of slices, tubes, trunks and stalks: what a body's parts are made of, against the ellipses that they say they are.</summary>
+    /// <summary>Laws of slices, tubes, trunks and stalks, of which bodies are made, against the ellipses that they say they are.</summary>
     public sealed class TubeLaws
     {
         private const int k_Sides = 12;

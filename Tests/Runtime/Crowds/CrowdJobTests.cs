@@ -237,8 +237,8 @@ namespace Alate.Tests.Crowds
                 ("matrices", (ref CrowdJob job) => job.matrices = Keep(new NativeArray<float4x4>(1, Allocator.Persistent))),
                 ("rows", (ref CrowdJob job) => job.rows = Keep(new NativeArray<float4>(1, Allocator.Persistent))),
                 ("nextRows", (ref CrowdJob job) => job.nextRows = Keep(new NativeArray<float4>(1, Allocator.Persistent))),
-                ("nearestDistances",
-                    (ref CrowdJob job) => job.nearestDistances = Keep(new NativeArray<float>(job.nearest.Length - 1, Allocator.Persistent))),
+                ("nearestDistances", (ref CrowdJob job) =>
+                    job.nearestDistances = Keep(new NativeArray<float>(job.nearest.Length - 1, Allocator.Persistent))),
                 ("radius", (ref CrowdJob job) => job.radius = -1f),
                 ("sizeCount", (ref CrowdJob job) => job.sizeCount = 0),
                 ("hiddenCount", (ref CrowdJob job) => job.hiddenCount = job.hidden.Length + 1),

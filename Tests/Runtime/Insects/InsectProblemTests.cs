@@ -28,7 +28,8 @@ namespace Alate.Tests
         {
             InsectProblem named = new InsectProblem(InsectState.NoMesh, wing, "it has no mesh.").Of("moth");
 
-            Assert.That((named.State, named.Wing, named.Message), Is.EqualTo((InsectState.NoMesh, wing, $"'moth', wing {wing}: it has no mesh.")));
+            Assert.That((named.State, named.Wing), Is.EqualTo((InsectState.NoMesh, wing)));
+            Assert.That(named.Message, Is.EqualTo($"'moth', wing {wing}: it has no mesh."));
             Assert.That(default(InsectProblem).Message, Is.Empty);
         }
     }

@@ -92,7 +92,7 @@ namespace Alate.Tests.Play.Headless
             AnsweredDialogs.Answers.Enqueue("Packages/b.asset");
             page = DrawnInspector.Press(m_Editor, "Bake Trims…");
             Assert.That(AnsweredDialogs.Texts, Has.Count.EqualTo(2).And.All.StartsWith("Save Flight Trims: "));
-            Assert.That(page.Controls.Select(control => control.Text), Has.Some.Contains("is not in the project's Assets folder"), "the answer");
+            Assert.That(page.Controls.Select(control => control.Text), Has.Some.Contains("is not in the project's Assets folder"));
             yield return null;
         }
 

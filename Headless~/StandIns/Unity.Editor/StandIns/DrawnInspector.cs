@@ -76,7 +76,7 @@ public sealed class DrawnInspector : IGuiPage
         return Of(draw);
     }
 
-    /// <summary>What draws a window.</summary>
+    /// <summary>Method that draws a window.</summary>
     public static Action Of(EditorWindow window) => window.GetType().GetMethod("OnGUI", BindingFlags.Instance | BindingFlags.NonPublic)
         .CreateDelegate<Action>(window);
 

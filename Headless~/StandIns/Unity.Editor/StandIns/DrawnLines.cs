@@ -3,7 +3,7 @@ using UnityEngine;
 
 namespace StandIns;
 
-/// <summary>What handles draw, while a test listens.</summary>
+/// <summary>Lines and discs that handles draw, while a test listens.</summary>
 [Unity.StandIns.StandInExtension]
 public static class DrawnLines
 {

@@ -4,7 +4,7 @@ using UnityEngine;
 
 namespace Alate.Tests.Flight
 {
-    /// <summary>What can be set of a pilot that follows.</summary>
+    /// <summary>Settings of a pilot that follows.</summary>
     public sealed class FollowPilotTests
     {
         private GameObject m_Object;

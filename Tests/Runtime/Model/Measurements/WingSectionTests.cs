@@ -107,7 +107,8 @@ namespace Alate.Tests
             var outer = WingSection.Cut(sheet.rest, sheet.triangles, 0.8f);
 
             Assert.That(SectionTwist.LeadingEdge(section, section, sheet.rest), Is.EqualTo(new float3(1f, 0f, 0f)));
-            float3 edge = SectionTwist.LeadingEdge(section, outer, sheet.Deformed(place => new float3(3f * place.x, 4f * place.x, place.z)));
+            float3[] raised = sheet.Deformed(place => new float3(3f * place.x, 4f * place.x, place.z));
+            float3 edge = SectionTwist.LeadingEdge(section, outer, raised);
             Assert.That(math.distance(edge, new float3(0.6f, 0.8f, 0f)), Is.LessThan(1e-5f));
         }
 

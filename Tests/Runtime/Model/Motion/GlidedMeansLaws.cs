@@ -4,7 +4,7 @@ using Unity.Mathematics;
 
 namespace Alate.Tests
 {
-    /// <summary>What a controller commands of a stroke's middle and tilt glides over the first half of the beat, with its rates.</summary>
+    /// <summary>Middle and tilt of the stroke, as commanded, which glide over the first half of the beat, and their rates.</summary>
     public sealed unsafe class GlidedMeansLaws
     {
         private PackFixture m_Fixture;

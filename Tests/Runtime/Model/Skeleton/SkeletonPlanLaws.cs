@@ -40,7 +40,8 @@ namespace Alate.Tests
         public void Areas_AreThoseOfTheRectangles_WithTheSignOfTheirSide()
         {
             WingSkeleton skeleton = Grid(3f, 0f, 2f);
-            var axes = new float3x3(new float3(1f, 0f, 0f), new float3(0f, 1f, 0f), math.cross(new float3(1f, 0f, 0f), new float3(0f, 1f, 0f)));
+            float3 span = new float3(1f, 0f, 0f), up = new float3(0f, 1f, 0f);
+            var axes = new float3x3(span, up, math.cross(span, up));
             var mirrored = new float3x3(axes.c0, -axes.c1, -axes.c2);
             SkeletonPlan plan = new SkeletonPlan(skeleton, axes), other = new SkeletonPlan(skeleton, mirrored);
 

@@ -3,7 +3,7 @@ using UnityEngine;
 
 namespace StandIns;
 
-/// <summary>What gizmos draw, while a test listens.</summary>
+/// <summary>Shapes that gizmos draw, while a test listens.</summary>
 [Unity.StandIns.StandInExtension]
 public static class DrawnGizmos
 {
@@ -16,6 +16,7 @@ public static class DrawnGizmos
     internal static void Add(string shape, params Vector3[] places) =>
         Calls?.Add((shape, Gizmos.color, System.Array.ConvertAll(places, Gizmos.matrix.MultiplyPoint3x4)));
 
-    internal static void AddSolid(string shape, Vector3 centre, Vector3 size) => Add(shape, centre,
-        centre + new Vector3(0.5f * size.x, 0f, 0f), centre + new Vector3(0f, 0.5f * size.y, 0f), centre + new Vector3(0f, 0f, 0.5f * size.z));
+    internal static void AddSolid(string shape, Vector3 centre, Vector3 size) => Add(
+        shape, centre, centre + 0.5f * size.x * Vector3.right, centre + 0.5f * size.y * Vector3.up,
+        centre + 0.5f * size.z * Vector3.forward);
 }
