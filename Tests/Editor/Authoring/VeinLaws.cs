@@ -189,6 +189,68 @@ namespace Alate.Editor.Tests
         }
 
         [Test]
+        public void LinesThatFan_AreVeinsFromTheHingeToTheRim_CoveredWhereTheyAreSeen()
+        {
+            var mask = new PixelMask(200, 100);
+            double[] slopes = { -0.2, -0.1, 0.0, 0.1, 0.2 };
+            foreach (double slope in slopes)
+                Line(mask, 40, 180, x => 50.0 + slope * (x - 5));
+            List<RadialVein> veins = Radial(mask, 90.0);
+
+            Assert.That(veins, Has.Count.EqualTo(5));
+            foreach (RadialVein vein in veins)
+            {
+                PlanPoint root = vein.Path[0], tip = vein.Path[vein.Path.Length - 1];
+                double slope = (-50.0 - tip.z) / 190.0;
+                Assert.That((root - new PlanPoint(5, -50)).LengthSquared, Is.LessThan(0.01));
+                Assert.That(tip.x, Is.EqualTo(195.0).Within(0.5), "on the rim");
+                Assert.That(slopes.Min(wanted => Math.Abs(wanted - slope)), Is.LessThan(0.02));
+                Assert.That(vein.Coverage, Is.EqualTo(140.0 / 190.0).Within(0.03), "less the little that is cut off its end");
+            }
+        }
+
+        [TestCase(90.0, 8, false)]
+        [TestCase(90.0, 20, true)]
+        [TestCase(20.0, 45, true)]
+        [TestCase(20.0, 42, false)]
+        public void ALineAlongTheRim_IsTheRimsOwn_WithinThreeHundredthsOfTheLength_AndAFifthOfTheChord(double chord, int row, bool isVein)
+        {
+            var mask = new PixelMask(200, 100);
+            Line(mask, 20, 180, x => row + 0.5);
+            Assert.That(Radial(mask, chord), Has.Count.EqualTo(isVein ? 1 : 0));
+        }
+
+        [Test]
+        public void AHinge_IsNotToldByLinesShorterThanTheWing()
+        {
+            var rim = new Polyline(
+                new[] { new PlanPoint(5, -5), new PlanPoint(5, -95), new PlanPoint(195, -95), new PlanPoint(195, -5) }, true);
+            foreach ((int length, bool isTold) in new[] { (30, false), (45, true) })
+            {
+                var mask = new PixelMask(200, 100);
+                foreach (double slope in new[] { -0.3, -0.15, 0.0, 0.15, 0.3 })
+                    Line(mask, 80, 80 + length, x => 50.0 + slope * (x - 5));
+                Assert.That(VeinFocus.Find(new VeinGraph(Thinning.Run(mask), 190.0), rim, 190.0).HasValue, Is.EqualTo(isTold));
+            }
+        }
+
+        private static List<RadialVein> Radial(PixelMask mask, double chord)
+        {
+            var rim = new Polyline(new[]
+            {
+                new PlanPoint(5, -50 + 0.5 * chord), new PlanPoint(5, -50 - 0.5 * chord), new PlanPoint(195, -50 - 0.5 * chord),
+                new PlanPoint(195, -50 + 0.5 * chord),
+            }, true);
+            return RadialVeins.Find(new VeinGraph(Thinning.Run(mask), 190.0), rim, new PlanPoint(5, -50), 190.0);
+        }
+
+        private static void Line(PixelMask mask, int from, int to, Func<int, double> row)
+        {
+            for (int x = from; x < to; x++)
+                mask[x, (int)Math.Floor(row(x))] = true;
+        }
+
+        [Test]
         public void Veins_AreSureLines_AndFaintOnesThatHangOnThem_LongEnough()
         {
             // Half of the wing has a faint grain of 2; sure is five times the median, at least 3.
