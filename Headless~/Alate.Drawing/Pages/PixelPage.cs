@@ -13,10 +13,22 @@ internal sealed class PixelPage
 
     private readonly List<(PhotoScene Scene, Pose Pose, StripPanel Panel)> m_Photos = [];
     private readonly List<(float2[] Points, float Pen, float3 Colour)> m_Strokes = [];
-    private readonly List<string> m_Texts = [];
+    private readonly List<PixelWords> m_Words = [];
+
+    /// <summary>Words, in the order of writing.</summary>
+    public IReadOnlyList<PixelWords> Words => m_Words;
 
     /// <summary>Texts that are written, in order.</summary>
-    public IReadOnlyList<string> Texts => m_Texts;
+    public IReadOnlyList<string> Texts => m_Words.ConvertAll(words => words.Text);
+
+    /// <summary>Places of the photos, in order.</summary>
+    public IReadOnlyList<StripPanel> Panels => m_Photos.ConvertAll(photo => photo.Panel);
+
+    /// <summary>Width and height, units.</summary>
+    public float2 Size { get; private set; }
+
+    /// <summary>Words for those who do not see the picture.</summary>
+    public string Title { get; private set; }
 
     /// <summary>Adds a pose of an insect.</summary>
     public void Add(PhotoScene scene, Pose pose, StripPanel panel) => m_Photos.Add((scene, pose, panel));
@@ -34,7 +46,7 @@ internal sealed class PixelPage
         float left = x - (anchor == "end" ? 1f : anchor == "middle" ? 0.5f : 0f) * Lettering.Width(text, size);
         foreach (float2[] stroke in strokes)
             m_Strokes.Add((Array.ConvertAll(stroke, point => point + new float2(left, y)), pen, look == "t" ? s_Pale : s_Ink));
-        m_Texts.Add(text);
+        m_Words.Add(new PixelWords(text, new float2(left, y), size, anchor, look));
     }
 
     /// <summary>Adds a straight line.</summary>
@@ -45,10 +57,21 @@ internal sealed class PixelPage
     /// <param name="width">Units of the picture.</param>
     /// <param name="height">Units of the picture.</param>
     /// <param name="title">What it shows, for those who do not see it.</param>
-    public byte[] Finish(float width, float height, string title)
+    public byte[] Finish(float width, float height, string title) => End(width, height, title).Write();
+
+    /// <summary>Gives the picture its size and title.</summary>
+    public PixelPage End(float width, float height, string title)
     {
-        var size = (int2)math.round(Fineness * new float2(width, height));
-        return IndexedPng.Write(size.x, size.y, Draw(size), [title, .. m_Texts]);
+        Size = new float2(width, height);
+        Title = title;
+        return this;
+    }
+
+    /// <summary>The whole file of a picture that has its size.</summary>
+    public byte[] Write()
+    {
+        var size = (int2)math.round(Fineness * Size);
+        return IndexedPng.Write(size.x, size.y, Draw(size), [Title, .. Texts]);
     }
 
     /// <summary>The pixels, rows from above.</summary>

@@ -15,7 +15,7 @@ using UnityEngine;
 
 namespace Alate.Tests.Bakes;
 
-/// <summary>What baked files hold beside their shapes: looks, coordinates, joints and times, each beside the bake.</summary>
+/// <summary>Content of baked files beside their shapes: looks, coordinates, joints and times, each beside the bake.</summary>
 public sealed class BakeLaws
 {
     private InsectBake m_Bake;

@@ -17,7 +17,7 @@ public sealed class FlownBeatTests
         {
             Insect = InsectCatalogue.Find("monarch"),
             Pilot = FreePilot.GoTo,
-            Points = [new float3(0f, 1f, 4f)],
+            Points = [new float3(3f, 1f, 2f)],
             Seconds = 1.2,
         };
         FreeRecord record = FreeRun.Fly(plan, _ => { });

@@ -87,6 +87,23 @@ public sealed class FreeTableTests
         Assert.That(record.UpstrokeShare, Is.EqualTo(1.0 / 6.0).Within(1e-6));
     }
 
+    [Test]
+    public void WordsOfAFlight_AreInMetresSharesAndMilliwatts()
+    {
+        FreeMoment up = s_Moment with
+        {
+            Time = 2.5, Phase = 4.0, Force = new float3(9f, 1e-3f, 0f), Power = 0.01, AidPower = 0.002, Velocity = s_Moment.Wanted,
+            Position = new float3(1.234f, -2.5f, 3.456f),
+        };
+        FreeRecord record = Record(s_Moment, up) with { Insect = Alate.Catalogue.InsectCatalogue.Find("monarch"), Weight = 0.004 };
+        // The first is off by 0.4, 0.45 and 0.5 m/s, the second by nothing.
+        double off = Math.Sqrt(0.5 * (0.4 * 0.4 + 0.45 * 0.45 + 0.5 * 0.5));
+
+        Assert.That(FreeReport.Way(record), Is.EqualTo("Monarch: 2.5 s by its own wings, from the origin to 1.23, -2.50, 3.46 m; "
+            + FormattableString.Invariant($"velocity off by {off:0.000} m/s (bob and all)")));
+        Assert.That(FreeReport.Air(record), Is.EqualTo("mean lift 0.750 of the weight, 17 % of it on the upstroke; power 20 mW; aid 3 mW"));
+    }
+
     private static FreeRecord Record(params FreeMoment[] moments) => new FreeRecord(null, moments, new float3(0.1f, 0.2f, 0.4f), 1.0, null);
 
     private static Dictionary<string, string> Trajectory(FreeMoment moment) => Row(TrajectoryTable.Of(Record(moment)));

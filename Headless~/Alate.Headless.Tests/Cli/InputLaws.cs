@@ -7,7 +7,7 @@ using Unity.Mathematics;
 
 namespace Alate.Tests.Cli;
 
-/// <summary>What is typed and read is taken at its limits, and refused beyond them in one line that says what is allowed.</summary>
+/// <summary>Limits of typed and read input: it is taken at them, and refused beyond them in one line that says what is allowed.</summary>
 public sealed class InputLaws
 {
     [TestCase("triangles", 0)]
@@ -96,6 +96,34 @@ public sealed class InputLaws
                     "no letter more would fit");
             }
         }
+    }
+
+    [Test]
+    public void AFileToWrite_IsNoFolder_AndHasAName()
+    {
+        using var temporary = new TemporaryFolder();
+        foreach (string folder in new[] { temporary.Root, temporary.PathOf("none") + "/" })
+        {
+            Assert.That(() => OutputFile.Check(folder),
+                Throws.TypeOf<UserException>().With.Message.EqualTo($"Cannot write '{folder}': it is a folder, not a file."));
+        }
+
+        OutputFile.Check(temporary.PathOf("a.txt"));
+        Assert.That(temporary.Content, Is.Empty, "the trial is gone");
+    }
+
+    [TestCase(null, "Cannot write into")]
+    [TestCase("--compare", "--free flies with the variant flight; it takes neither --compare, --variant nor --speed.")]
+    [TestCase("--variant=standard", "--free flies with the variant flight; it takes neither --compare, --variant nor --speed.")]
+    [TestCase("--speed=1", "--free flies with the variant flight; it takes neither --compare, --variant nor --speed.")]
+    public void AFreeFilm_TakesItsOwnVariantAndSpeedAlone(string option, string message)
+    {
+        using var run = new CommandRun();
+        string below = Path.Combine(run.Write("taken", ""), "below");
+        string[] words = ["film", "monarch", "--free", "--out", below];
+
+        Assert.That(run.Run(option == null ? words : [.. words, .. option.Split('=')]), Is.EqualTo(2));
+        Assert.That(run.Errors, Does.StartWith($"alate: {message}"));
     }
 
     // Behind a command nothing holds files back any more.

@@ -193,6 +193,19 @@ public sealed class StudyTableLaws
             Is.EqualTo(free.Power).Within(30).Percent);
     }
 
+    [Test]
+    public void AFreeFlight_IsAtMostAsFastAsTheInsectFlies()
+    {
+        InsectDefinition monarch = InsectCatalogue.Find("monarch");
+        using FlightModel model = CatalogueFlight.CreateModel(monarch);
+        using TrimTable table = CatalogueFlight.CreateTable(monarch, model);
+        var plan = new FlightPlan { Species = "monarch", Speed = 2 * table.TopSpeed, Substeps = 12, Patches = 64 };
+        Comparison flown = Comparison.Fly(new ComparisonPlan([plan], [ComparisonColumn.FullModel], 1), _ => { }).Single();
+
+        Assert.That(flown.Free.Speed, Is.EqualTo(table.TopSpeed).Within(5).Percent);
+        Assert.That(flown.Free.Error, Is.LessThan(0.1 * table.TopSpeed), "it follows what it is told");
+    }
+
     [TestCase(10.0, 0.0, false, new[] { 10.0, 5.0, 0.0 })]
     [TestCase(0.0, 10.0, false, new[] { 0.0, 5.0, 10.0 })]
     [TestCase(-1.0, -21.0, false, new[] { -1.0, -11.0, -21.0 })]

@@ -9,7 +9,7 @@ using Unity.Mathematics;
 
 namespace Alate.Tests.Cli;
 
-/// <summary>What the rows of comparisons with measurements are computed from, beside sums over the frames and closed forms.</summary>
+/// <summary>Numbers behind the rows of comparisons with measurements, beside sums over the frames and closed forms.</summary>
 public sealed class ValidationLaws
 {
     private FlightRecord m_Flight;
@@ -86,6 +86,40 @@ public sealed class ValidationLaws
         // Pearson's, of the deviations −1, 0, 1 and 1, −2, 1: they are at right angles.
         Assert.That(DragonflyRows.Correlation([1, 2, 3], [3, 0, 3]), Is.Zero.Within(1e-12));
         Assert.That(DragonflyRows.Correlation([1, 2, 3, 100], [3, 0, 6, double.NaN]), Is.EqualTo(3 / Math.Sqrt(2 * 18)).Within(1e-12));
+    }
+
+    // A table in steps of five degrees, straight between: the mean of two neighbours lies in the middle, and slopes go on within a step.
+    [Test]
+    public void ADragonflysDrag_IsStraightBetweenTheAnglesOfItsTable_AndRisesToTwo()
+    {
+        for (int step = 0; step < 18; step++)
+        {
+            double from = BladeElements.OwnDrag(5 * step), to = BladeElements.OwnDrag(5 * step + 4.999999);
+            Assert.That(BladeElements.OwnDrag(5 * step + 2.5), Is.EqualTo(0.5 * (from + to)).Within(1e-6));
+            Assert.That(BladeElements.OwnDrag(5 * step + 1), Is.EqualTo(0.8 * from + 0.2 * to).Within(1e-6));
+            Assert.That(to - from, Is.InRange(0.004, 0.26), "it rises, without a leap");
+            Assert.That(step < 17 ? BladeElements.OwnDrag(5 * step + 5) - to : 0, Is.EqualTo(0).Within(1e-6));
+        }
+
+        Assert.That((BladeElements.OwnDrag(0), BladeElements.OwnDrag(90)), Is.EqualTo((0.094, 2.0)), "as published: 0.09 along, 2 across");
+    }
+
+    // The report of the manual has the published series as they were read off the plots.
+    [Test]
+    public void MeasuredSeries_AreThoseOfTheReport()
+    {
+        string path = System.IO.Path.Combine(PackageRoot.Find(), "Documentation~", "validation.json");
+        System.Text.Json.JsonElement[] curves =
+            [.. System.Text.Json.JsonDocument.Parse(System.IO.File.ReadAllText(path)).RootElement.GetProperty("curves").EnumerateArray()];
+        foreach ((string key, IReadOnlyList<double> series) in new[]
+        {
+            ("vertical-force", MeasuredDragonfly.TetheredForce), ("angle-of-attack", MeasuredDragonfly.TetheredAttack),
+        })
+        {
+            double[] told = [.. curves.Single(curve => curve.GetProperty("key").GetString() == key).GetProperty("measured").EnumerateArray()
+                .Select(number => number.ValueKind == System.Text.Json.JsonValueKind.Null ? double.NaN : number.GetDouble())];
+            Assert.That(told, Is.EqualTo(series).Within(1e-6));
+        }
     }
 
     // Flaps from end to end and stroke planes off the horizontal, of a trim that scales the beat and leans it back.

@@ -6,11 +6,7 @@ internal static class BeatStrip
     private const int k_Columns = 4, k_Rows = 3;
 
     /// <summary>The whole picture.</summary>
-    public static byte[] Draw(FlightRecord flight)
-    {
-        PixelPage page = Compose(flight, out StripLayout layout);
-        return page.Finish(layout.Width, layout.Height, Title(flight));
-    }
+    public static byte[] Draw(FlightRecord flight) => Compose(flight, out _).Write();
 
     /// <summary>The picture before it is painted.</summary>
     public static PixelPage Compose(FlightRecord flight, out StripLayout layout)
@@ -29,7 +25,7 @@ internal static class BeatStrip
             Label(page, flight, k / (double)poses.Count, layout[k].Left + 0.5f * layout[k].Width, layout[k].Top + layout[k].Height + 10f);
         }
 
-        return page;
+        return page.End(layout.Width, layout.Height, Title(flight));
     }
 
     private static void Label(PixelPage page, FlightRecord flight, double turns, float middle, float bottom)

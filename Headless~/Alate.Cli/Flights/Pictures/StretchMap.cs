@@ -13,7 +13,9 @@ internal static class StretchMap
     /// <summary>From none to <see cref="k_Most"/>, sRGB; the live view's.</summary>
     private static readonly float3[] s_Stops = [.. new[] { 0xf4efdf, 0xf2c14e, 0xe4572e, 0x7b1e3a, 0x230a2b }.Select(Shading.Colour)];
 
-    public static byte[] Draw(FlightRecord flight)
+    public static byte[] Draw(FlightRecord flight) => Compose(flight).Write();
+
+    internal static PixelPage Compose(FlightRecord flight)
     {
         var largest = flight.Wings.ToDictionary(wing => wing, StretchField.Largest);
         PhotoScene scene = FlightPhoto.Scene(
@@ -28,7 +30,7 @@ internal static class StretchMap
         page.Text(k_Width - k_Edge, 37f, 13f, Worst(flight, largest), "end");
         page.Add(scene, rest, layout[0]);
         Ramp(page, k_Width - k_Edge - k_RampWidth, 50f);
-        return page.Finish(k_Width, layout.Height + k_Foot, $"{flight.Insect.DisplayName}: {Worst(flight, largest)}");
+        return page.End(k_Width, layout.Height + k_Foot, $"{flight.Insect.DisplayName}: {Worst(flight, largest)}");
     }
 
     // Which place of which wing: of the right one, as the left one is its mirror image but in a wind from aside.

@@ -33,19 +33,8 @@ internal static class FreeReport
         if (plan.RecordFile != null)
             OutputFile.Write(plan.RecordFile, stream => stream.Write(Encoding.UTF8.GetBytes(RecordingText.Write(record.Recording))));
         folder.Commit();
-        FreeMoment last = record.Moments[^1];
-        double error = System.Math.Sqrt(record.Moments.Average(at => math.lengthsq(at.Velocity - at.Wanted)));
-        output.WriteLine(string.Create(
-            CultureInfo.InvariantCulture,
-            $"{plan.Insect.DisplayName}: {last.Time:0.##} s by its own wings, from the origin to "
-            + $"{last.Position.x:0.00}, {last.Position.y:0.00}, {last.Position.z:0.00} m; "
-            + $"velocity off by {error:0.000} m/s (bob and all)"));
-        output.WriteLine(string.Create(
-            CultureInfo.InvariantCulture,
-            $"mean lift {record.Moments.Average(at => at.Force.y) / record.Weight:0.000} of the weight, "
-            + $"{100 * record.UpstrokeShare:0} % of it on the upstroke; "
-            + $"power {1e3 * record.Moments.Average(at => at.Power):0.###} mW; "
-            + $"aid {1e3 * record.Moments.Average(at => at.AidPower):0.###} mW"));
+        output.WriteLine(Way(record));
+        output.WriteLine(Air(record));
         if (factor >= k_Larger)
             output.WriteLine(System.FormattableString.Invariant($"path.png shows the insect {factor:0.#} times larger than its way."));
         if (plan.Replay is { } replay)
@@ -54,6 +43,24 @@ internal static class FreeReport
             output.WriteLine($"{plan.RecordFile} has the flight for --replay.");
         terminal.ShowFiles(path, k_Trajectory, k_Forces, k_Path, k_Glb);
     }
+
+    internal static string Way(FreeRecord record)
+    {
+        FreeMoment last = record.Moments[^1];
+        double error = System.Math.Sqrt(record.Moments.Average(at => math.lengthsq(at.Velocity - at.Wanted)));
+        return string.Create(
+            CultureInfo.InvariantCulture,
+            $"{record.Insect.DisplayName}: {last.Time:0.##} s by its own wings, from the origin to "
+            + $"{last.Position.x:0.00}, {last.Position.y:0.00}, {last.Position.z:0.00} m; "
+            + $"velocity off by {error:0.000} m/s (bob and all)");
+    }
+
+    internal static string Air(FreeRecord record) => string.Create(
+        CultureInfo.InvariantCulture,
+        $"mean lift {record.Moments.Average(at => at.Force.y) / record.Weight:0.000} of the weight, "
+        + $"{100 * record.UpstrokeShare:0} % of it on the upstroke; "
+        + $"power {1e3 * record.Moments.Average(at => at.Power):0.###} mW; "
+        + $"aid {1e3 * record.Moments.Average(at => at.AidPower):0.###} mW");
 
     private static string Replayed(FlightRecording recording) => recording.Package == PackageRoot.Version
         ? "Flown again from its recording: the same to the bit on the same kind of processor."

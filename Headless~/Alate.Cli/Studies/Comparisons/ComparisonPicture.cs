@@ -14,7 +14,9 @@ internal static class ComparisonPicture
     ];
 
     /// <summary>The whole picture.</summary>
-    public static byte[] Draw(Comparison comparison)
+    public static byte[] Draw(Comparison comparison) => Compose(comparison).Write();
+
+    internal static PixelPage Compose(Comparison comparison)
     {
         var page = new PixelPage();
         var scenes = comparison.Flights.Select(flight => FlightPhoto.Scene(flight.Summary.Flight)).ToList();
@@ -38,7 +40,7 @@ internal static class ComparisonPicture
             look: "t");
         page.Text(k_Edge, bottom + 27f, 11f, "off full: mean distance of the surface from the full model's at equal phase, % of the wing's "
             + "length. † outside what is expected here: " + Expected(comparison.Plan.Variant), look: "t");
-        return page.Finish(
+        return page.End(
             width, bottom + 42f, $"{comparison.Name}: {string.Join(", ", comparison.Flights.Select(flight => flight.Column.Title))}");
     }
 

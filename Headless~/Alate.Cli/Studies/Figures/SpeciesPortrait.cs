@@ -7,7 +7,9 @@ internal static class SpeciesPortrait
 
     private static readonly double[] s_Phases = [0.0, 0.3, 0.6];
 
-    public static byte[] Draw(FlightRecord flight)
+    public static byte[] Draw(FlightRecord flight) => Compose(flight).Write();
+
+    internal static PixelPage Compose(FlightRecord flight)
     {
         var page = new PixelPage();
         PhotoScene scene = FlightPhoto.Scene(flight);
@@ -18,6 +20,6 @@ internal static class SpeciesPortrait
             page.Text((k + 0.5f) * k_Panel, layout.Height + 12f, 15f, $"{360.0 * s_Phases[k]:0}°", "middle", "t");
         }
 
-        return page.Finish(layout.Width, layout.Height + k_Foot, $"{flight.Insect.DisplayName} at three phases of a beat");
+        return page.End(layout.Width, layout.Height + k_Foot, $"{flight.Insect.DisplayName} at three phases of a beat");
     }
 }

@@ -20,12 +20,14 @@ internal sealed class SweepPicture
     }
 
     /// <summary>The insect, as a PNG file.</summary>
-    public static byte[] DrawPoses(Sweep sweep) => new SweepPicture(sweep).DrawPoses();
+    public static byte[] DrawPoses(Sweep sweep) => Compose(sweep).Write();
+
+    internal static PixelPage Compose(Sweep sweep) => new SweepPicture(sweep).ComposePoses();
 
     /// <summary>The charts, as SVG.</summary>
     public static string DrawCharts(Sweep sweep) => new SweepPicture(sweep).DrawCharts();
 
-    private byte[] DrawPoses()
+    private PixelPage ComposePoses()
     {
         List<int> columns = Columns(m_Sweep.Plan.Values.Count);
         float panel = Math.Min(k_MostWidth, (k_GridWidth - k_Left) / columns.Count), bottom = k_Header;
@@ -38,7 +40,7 @@ internal sealed class SweepPicture
 
         float width = Math.Max(k_Left + columns.Count * panel + k_Edge, k_Narrowest);
         Heading(columns, panel, width);
-        return m_Poses.Finish(width, MathF.Ceiling(bottom + 6f), $"{Name}: {m_Sweep.Plan.Parameter.Title}");
+        return m_Poses.End(width, MathF.Ceiling(bottom + 6f), $"{Name}: {m_Sweep.Plan.Parameter.Title}");
     }
 
     private string DrawCharts()

@@ -120,7 +120,7 @@ internal static class BladeElements
         return (force[1], force[2], -Dot(force, moved), angle);
     }
 
-    private static double OwnDrag(double angle)
+    internal static double OwnDrag(double angle)
     {
         int place = Math.Min((int)(angle / k_DragStep), s_OwnDrag.Length - 2);
         return s_OwnDrag[place] + (angle / k_DragStep - place) * (s_OwnDrag[place + 1] - s_OwnDrag[place]);
