@@ -98,7 +98,7 @@ namespace Alate.Catalogue
         private static BodyPart Case() =>
             Shell.Along(
                 s_CaseBase, s_CaseAlong, s_CaseUp,
-                t => 1.12f * (float)Math.Pow(Math.Max(1 - Math.Pow(t, 4), 0), 0.5) * (float)Math.Pow(Math.Min(1, 0.12 + 4 * t), 0.4), 0.34f,
+                t => 1.12f * (float)Math.Pow(1 - Math.Pow(t, 4), 0.5) * (float)Math.Pow(Math.Min(1, 0.12 + 4 * t), 0.4), 0.34f,
                 0.14f, 0.45f, 20, 16);
 
         // Eleven short pieces, thickest at their ends.

@@ -277,6 +277,34 @@ namespace Alate.Editor.Tests
             Assert.That(veins.Count, Is.EqualTo(80 + 13));
         }
 
+        [TestCase(18, true)]
+        [TestCase(21, false)]
+        public void FaintStretches_CountWhileTheyCoverNoMoreThan28HundredthsOfTheWing(int rows, bool count)
+        {
+            var response = new PixelPlane(200, 70);
+            for (int k = 0; k < 200 * rows; k++)
+                response.values[k] = 2f;
+            for (int x = 20; x < 60; x++)
+                response[x, 3] = 20f;
+            PixelMask veins = VeinMask.Of(response, Whole(200, 70), 200.0);
+
+            Assert.That(veins[40, 3], Is.True);
+            Assert.That(veins[150, 10], Is.EqualTo(count));
+        }
+
+        [TestCase(0.48, false)]
+        [TestCase(0.52, true)]
+        public void AnotherThing_IsAnotherWing_FromAQuarterOfItsArea(double size, bool isWing)
+        {
+            WorkingPicture picture = Painted(300, (x, y) =>
+                Math.Pow(x - 90, 2) + Math.Pow(y - 150, 2) < 80 * 80
+                || Math.Pow(x - 235, 2) + Math.Pow(y - 150, 2) < size * size * 80 * 80 ? 20 : 240);
+            if (isWing)
+                Assert.That(() => WingSeparation.Of(picture), Throws.TypeOf<FormatException>().With.Message.Contains("2 wings"));
+            else
+                Assert.That(WingSeparation.Of(picture).Mask.Count, Is.EqualTo(Math.PI * 80 * 80).Within(3).Percent);
+        }
+
         private static WorkingPicture Painted(int side, Func<double, double, double> shade)
         {
             byte[] shades = new byte[side * side];
