@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using System.Globalization;
 using System.IO;
 using System.Linq;
@@ -151,7 +152,7 @@ namespace Alate.Tests.Cli
         [TestCase("fishfly", "Fishfly: hind wing", "hind wing")]
         public void TheTerminalsTables_HaveTheNumbersOfTheFile(string species, string heading, string wing)
         {
-            var rows = TerminalTable.Behind(m_Run.Output, heading).ToDictionary(row => row[0]);
+            Dictionary<string, string[]> rows = TerminalTable.Behind(m_Run.Output, heading).ToDictionary(row => row[0]);
             string[][] own = [.. m_Rows.Where(cells => cells[0] == species && cells[2] == wing)];
             Assert.That(rows[""][1..], Is.EqualTo(new[] { "Rigid wing", "No deformation wave", "Full model", "Elasticity × 4", "usual" }));
             foreach (WingMeasure measure in WingMeasure.All)

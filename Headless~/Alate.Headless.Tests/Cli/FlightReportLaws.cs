@@ -6,11 +6,8 @@ using System.Linq;
 using System.Text.Json;
 using Alate.Catalogue;
 using Alate.Cli;
-using Alate.Drawing;
 using NUnit.Framework;
 using Unity.Mathematics;
-using Unity.StandIns;
-using UnityEngine;
 
 namespace Alate.Tests.Cli;
 
@@ -58,7 +55,10 @@ public sealed class FlightReportLaws
             ("speed_m_s", 1.5), ("climb_m_s", 0.75), ("pitch_deg", 20), ("induced_flow", 1.5), ("lag", 0.15), ("elasticity_factor", 2),
             ("substeps", 20), ("elements", 128),
         })
+        {
             AssertNumber(options, key, value);
+        }
+
         Assert.That(options.GetProperty("wind_m_s").EnumerateArray().Select(part => part.GetDouble()), Is.EqualTo(OddFlight.Plan.Wind));
         Assert.That(
             (options.GetProperty("coefficients").GetString(), options.GetProperty("preset").GetString(),
@@ -99,7 +99,7 @@ public sealed class FlightReportLaws
         RecordedWing[] kinds = [flight.Wings[0], flight.Wings[2]];
         foreach ((string key, string title, _, string format) in Measures(kinds[0]).Where(measure => measure.Format != null))
         {
-            MeasureBound bound = MeasureBound.Find(key);
+            var bound = MeasureBound.Find(key);
             for (int kind = 0; kind < 2; kind++)
             {
                 string number = Measures(kinds[kind]).Single(measure => measure.Key == key).Value.ToString(format,
@@ -173,7 +173,10 @@ public sealed class FlightReportLaws
                 ("moment_x_nm", moment.x), ("moment_y_nm", moment.y), ("moment_z_nm", moment.z),
                 ("lift_n", up[1] * force.y + up[2] * force.z), ("drag_n", -(way[1] * force.y + way[2] * force.z) / k_Speed),
             })
+            {
                 Assert.That(Number(told[column]), Is.EqualTo(value).Within(1e-4 * Math.Abs(value) + 1e-9), column);
+            }
+
             Assert.That((told["half_stroke"], told["power_w"]),
                 Is.EqualTo((flight.Wings[0].Frames[k].Phase < Math.PI ? "down" : "up", "")));
         }

@@ -30,7 +30,7 @@ public sealed class FlightRunLaws
     [Test]
     public void WhatAWingMeets_IsTheWindLessItsWay_TurnedByThePitch_MirroredOnTheLeft()
     {
-        var preset = InsectCatalogue.Find("fishfly").Wings[0].CreatePreset();
+        WingPreset preset = InsectCatalogue.Find("fishfly").Wings[0].CreatePreset();
         double p = 20 * Math.PI / 180, length = preset.Size.wingLength;
         double y = 0.25 - 0.75, z = -1 - 1.5;
         foreach (WingSide side in new[] { WingSide.Right, WingSide.Left })
@@ -38,9 +38,9 @@ public sealed class FlightRunLaws
             WingSurroundings met = OddFlight.Plan.SurroundingsOf(preset, side);
             double x = side == WingSide.Right ? 0.5 : -0.5;
             // A nose that is up by the pitch sees what comes level from ahead below it.
-            var wind = new float3((float)x, (float)(Math.Cos(p) * y - Math.Sin(p) * z),
+            float3 wind = new float3((float)x, (float)(Math.Cos(p) * y - Math.Sin(p) * z),
                 (float)(Math.Sin(p) * y + Math.Cos(p) * z)) / (float)length;
-            var down = new float3(0f, (float)(-9.81 * Math.Cos(p)), (float)(-9.81 * Math.Sin(p)))
+            float3 down = new float3(0f, (float)(-9.81 * Math.Cos(p)), (float)(-9.81 * Math.Sin(p)))
                 * (float)(preset.Size.gravityShare / length);
             Assert.That(math.distance(met.wind, wind), Is.LessThan(1e-3f * math.length(wind)));
             Assert.That(math.distance(met.gravity, down), Is.LessThan(1e-3f * math.length(down)));

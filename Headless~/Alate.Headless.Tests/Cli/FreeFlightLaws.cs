@@ -33,7 +33,7 @@ public sealed class FreeFlightLaws
                     isDown ? 0.03 : 0.01, 0, FlightState.Flying));
         }
 
-        FlightMeans means = FlightMeans.Of(model, moments, new float3(0f, 0.2f, 1.4f));
+        var means = FlightMeans.Of(model, moments, new float3(0f, 0.2f, 1.4f));
         int down = moments.Count(at => at.Phase < Math.PI), up = k_Count - down;
         double lift = 0.012 * down - 0.002 * up;
         foreach ((double told, double expected) in new[]
@@ -47,7 +47,9 @@ public sealed class FreeFlightLaws
                 (means.Power, (0.03 * down + 0.01 * up) / k_Count),
             (means.PowerPerMass, (0.03 * down + 0.01 * up) / k_Count / model.Mass),
         })
+        {
             Assert.That(told, Is.EqualTo(expected).Within(2e-3 * Math.Abs(expected)));
+        }
     }
 
     // Far away as fast as it may be, near by a time constant, and never so fast that it could not stop.
@@ -136,8 +138,14 @@ public sealed class FreeFlightLaws
         double frequency = TetheredFlight.Fly(FlightPlan.Cruise(monarch, InsectVariant.Flight)).Wings[0].Frequency,
             step = 1 / (frequency * k_Frames);
         FreeRecord record = FreeRun.Fly(
-            new FreePlan { Insect = monarch, Pilot = FreePilot.Wander, Seed = 1, Step = step,
-                Seconds = 2 + (k_Beats + 1) * k_Frames * step }, _ => { });
+            new FreePlan
+            {
+                Insect = monarch,
+                Pilot = FreePilot.Wander,
+                Seed = 1,
+                Step = step,
+                Seconds = 2 + (k_Beats + 1) * k_Frames * step
+            }, _ => { });
         int first = record.Moments.Count - (k_Beats + 1) * k_Frames;
         float3 ahead = math.rotate(record.Moments[first + k_Beats * k_Frames / 2].Rotation, new float3(0f, 0f, 1f));
         var back = quaternion.RotateY(-math.atan2(ahead.x, ahead.z));

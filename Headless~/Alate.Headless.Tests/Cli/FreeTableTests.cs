@@ -92,7 +92,12 @@ public sealed class FreeTableTests
     {
         FreeMoment up = s_Moment with
         {
-            Time = 2.5, Phase = 4.0, Force = new float3(9f, 1e-3f, 0f), Power = 0.01, AidPower = 0.002, Velocity = s_Moment.Wanted,
+            Time = 2.5,
+            Phase = 4.0,
+            Force = new float3(9f, 1e-3f, 0f),
+            Power = 0.01,
+            AidPower = 0.002,
+            Velocity = s_Moment.Wanted,
             Position = new float3(1.234f, -2.5f, 3.456f),
         };
         FreeRecord record = Record(s_Moment, up) with { Insect = Alate.Catalogue.InsectCatalogue.Find("monarch"), Weight = 0.004 };

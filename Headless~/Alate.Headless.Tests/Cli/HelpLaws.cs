@@ -18,8 +18,14 @@ public sealed class HelpLaws
     // Arguments that are sound, so that what is refused is the option.
     private static readonly Dictionary<string, string[]> s_Arguments = new()
     {
-        ["film"] = ["monarch"], ["trim"] = ["monarch"], ["compare"] = ["monarch"], ["sweep"] = ["pitch", "0", "10"],
-        ["skeleton fit"] = ["none.obj"], ["skeleton from-image"] = ["none.png"], ["bake"] = ["monarch"], ["fly"] = ["monarch"],
+        ["film"] = ["monarch"],
+        ["trim"] = ["monarch"],
+        ["compare"] = ["monarch"],
+        ["sweep"] = ["pitch", "0", "10"],
+        ["skeleton fit"] = ["none.obj"],
+        ["skeleton from-image"] = ["none.png"],
+        ["bake"] = ["monarch"],
+        ["fly"] = ["monarch"],
     };
 
     [TestCaseSource(nameof(s_Commands))]

@@ -23,8 +23,10 @@ public sealed class InputLaws
         if (patches != null)
             Assert.That(FlyOptions.Patches(typed), Is.EqualTo(patches));
         else
+        {
             Assert.That(() => FlyOptions.Patches(typed), Throws.TypeOf<UserException>().With.Message
                 .EqualTo($"--elements takes 'triangles' or a number of patches from 1 to 1000000, not '{typed}'."));
+        }
     }
 
     [TestCase("1,2\n", ", line 1: '1,2' is no place; X,Y,Z in metres, each up to 1000, are needed.")]

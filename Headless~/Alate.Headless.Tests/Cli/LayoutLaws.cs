@@ -176,14 +176,18 @@ public sealed class LayoutLaws
             for (int other = 0; other < k; other++)
                 Assert.That(Overlap(boxes[k], boxes[other], 0f), Is.False, $"'{boxes[k].What}' over '{boxes[other].What}'");
             foreach (StripPanel panel in page.Panels)
+            {
                 Assert.That(Overlap(boxes[k], ("", new float2(panel.Left, panel.Top),
                     new float2(panel.Left + panel.Width, panel.Top + panel.Height)), 4f),
                     Is.False, $"'{boxes[k].What}' over a photo");
+            }
         }
 
         foreach (StripPanel panel in page.Panels)
+        {
             Assert.That(panel.Left >= 0f && panel.Top >= 0f && panel.Left + panel.Width <= page.Size.x
                 && panel.Top + panel.Height <= page.Size.y, Is.True);
+        }
     }
 
     private static (string What, float2 Min, float2 Max) Box(PixelWords words) =>

@@ -55,7 +55,7 @@ namespace Alate.Tests.Cli
             WingTracingSettings settings = WingTracingSettings.Default;
             settings.triangles = 100;
             WingTrace trace = WingTracer.Trace(file.Picture, settings);
-            XElement svg = XElement.Parse(TracePicture.Draw(file, trace));
+            var svg = XElement.Parse(TracePicture.Draw(file, trace));
             XNamespace ns = svg.Name.Namespace;
             double line = Math.Max(file.Picture.Width, file.Picture.Height) / 500.0;
             double[] Numbers(string text) => Regex.Matches(text,
@@ -68,7 +68,7 @@ namespace Alate.Tests.Cli
                 Is.EqualTo(new[] { 0.0, 0, file.Picture.Width, file.Picture.Height + 30 * line }).Within(0.01));
             XElement mesh = svg.Elements(ns + "path").Single();
             Vector2[] corners = Array.ConvertAll(trace.Surface.positions, trace.Placement.ToPicture);
-            var sides = trace.Surface.triangles.Select((a, k) => (a, b: trace.Surface.triangles[k % 3 == 2 ? k - 2 : k + 1]))
+            (int a, int b)[] sides = trace.Surface.triangles.Select((a, k) => (a, b: trace.Surface.triangles[k % 3 == 2 ? k - 2 : k + 1]))
                 .GroupBy(side => (Math.Min(side.a, side.b), Math.Max(side.a, side.b))).Select(side => side.First()).ToArray();
             AssertNear(Numbers((string)mesh.Attribute("d")), sides.SelectMany(side => new[] { corners[side.a], corners[side.b] }));
             Assert.That(Of(mesh, "stroke-width"), Is.EqualTo(0.25 * line).Within(0.006));

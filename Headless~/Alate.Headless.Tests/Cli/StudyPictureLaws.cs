@@ -8,7 +8,6 @@ using Alate.Catalogue;
 using Alate.Cli;
 using Alate.Drawing;
 using NUnit.Framework;
-using Unity.Mathematics;
 
 namespace Alate.Tests.Cli;
 
@@ -118,7 +117,7 @@ public sealed class StudyPictureLaws
         for (int k = 0; k < charts.Length; k++)
         {
             double add = charts[k].Add, left = 56.0 + 500.0 * (k % 2), top = 102.0 + 280.0 * (k / 2), height = 230.0;
-            ChartAxis up = ChartAxis.Linear(new[] { 0.0, 10, 20, 5, 8 }.Select(shift => shift + add));
+            var up = ChartAxis.Linear(new[] { 0.0, 10, 20, 5, 8 }.Select(shift => shift + add));
             double X(double speed) => left + (480.0 - 56.0) * (speed - 1) / 2;
             double Y(double value) => top + height * (up.To - value) / (up.To - up.From);
             Assert.That(((string)lines[2 * k].Attribute("stroke"), (string)lines[2 * k + 1].Attribute("stroke")),
@@ -203,8 +202,11 @@ public sealed class StudyPictureLaws
             "over elasticity, × the species'" }));
         double[] x = [.. svg.Elements(s_Svg + "text").Skip(1).Take(5).Select(text => Number(text, "x"))];
         for (int k = 0; k < 4; k++)
+        {
             Assert.That(x[k + 1] - x[k], Is.EqualTo(54.0 + 7.2 * texts[k + 1].Length - (k == 3 ? 32.0 : 0.0)).Within(0.1),
                 "each as long as its words");
+        }
+
         Assert.That((string)svg.Attribute("viewBox"), Is.EqualTo("0 0 1000 436"), "82 and two rows of 170, and 14");
         Assert.That(told, Is.EqualTo(new[] { 1, 2, 3, 4 }));
         Assert.That(Sweep.Flights(sweep.Plan), Is.EqualTo(4));

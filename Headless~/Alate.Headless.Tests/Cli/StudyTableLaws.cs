@@ -9,7 +9,6 @@ using Alate.Catalogue;
 using Alate.Cli;
 using Alate.Flight;
 using NUnit.Framework;
-using Unity.Mathematics;
 
 namespace Alate.Tests.Cli;
 
@@ -111,7 +110,10 @@ public sealed class StudyTableLaws
             ("flap_deg", "4.5"), ("amplitude", "0.875"), ("tilt_deg", "5.5"), ("mean_sweep_deg", "6.5"), ("power_mw", "7.5"),
             ("lift_residual", "0.00125"), ("thrust_residual", "0.0025"), ("moment_residual", "0.00375"), ("problem", ""),
         })
+        {
             Assert.That(told[column], Is.EqualTo(value), column);
+        }
+
         Assert.That(TrimRow.Header, Has.Length.EqualTo(15));
 
         string[] open = (row with { Closes = false, Pitch = double.NaN, Problem = "lift is missing" }).Cells();
@@ -137,7 +139,10 @@ public sealed class StudyTableLaws
             (row.Flap, 2 / k_Degree * model.Wings[0].Parameters.amplitude.x * trim.AmplitudeScale), (row.Sweep, trim.MeanSweep / k_Degree),
             (row.Power, 1000 * power), (row.Lift, residual[0]), (row.Thrust, residual[1]), (row.Moment, residual[2]),
         })
+        {
             Assert.That(told, Is.EqualTo(expected).Within(1e-3 * Math.Abs(expected) + 1e-5));
+        }
+
         Assert.That((row.Closes, row.Problem), Is.EqualTo((true, (string)null)));
         Assert.That(row.Power, Is.InRange(1.0, 20.0), "milliwatts");
         Assert.That(row.Flap, Is.InRange(60.0, 180.0), "degrees from end to end");
@@ -228,7 +233,7 @@ public sealed class StudyTableLaws
     [TestCase(2.0, 90.0, 200.0, 270.0)]
     public void MotionsOfAStrip_AreInPerCent_AndDegreesBehind(double size, double degrees, double percent, double behind)
     {
-        Complex beam = Complex.FromPolarCoordinates(size, degrees * Math.PI / 180);
+        var beam = Complex.FromPolarCoordinates(size, degrees * Math.PI / 180);
         ValidationRow[] rows = [.. StructureRows.Motion("strip", "shake", beam, 1.02 * beam, 0.99 * beam)];
 
         Assert.That((rows[0].Ours, rows[0].Fine), Is.EqualTo((1.02 * percent, 0.99 * percent)).Using<(double, double)>(Near));

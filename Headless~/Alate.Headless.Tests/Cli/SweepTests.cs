@@ -82,7 +82,7 @@ namespace Alate.Tests.Cli
                 foreach ((string title, string key) in columns)
                 {
                     int column = Array.FindIndex(rows[0], cell => cell == title);
-                    MeasureBound bound = MeasureBound.Find(key);
+                    var bound = MeasureBound.Find(key);
                     double value = Of(key);
                     Assert.That(double.Parse(told[column].Replace("†", "").Replace('−', '-'), CultureInfo.InvariantCulture),
                         Is.EqualTo(value).Within(0.0501), key);

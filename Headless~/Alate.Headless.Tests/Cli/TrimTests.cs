@@ -3,8 +3,8 @@ using System.Globalization;
 using System.IO;
 using System.Linq;
 using System.Xml.Linq;
-using Alate.Flight;
 using Alate.Catalogue;
+using Alate.Flight;
 using NUnit.Framework;
 
 namespace Alate.Tests.Cli

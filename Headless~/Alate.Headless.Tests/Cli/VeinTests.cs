@@ -23,7 +23,7 @@ namespace Alate.Tests.Cli
                     (int)System.Math.Round(50 * frame.Phase / System.Math.PI) % 100)
                     .Select(frame => chart == 0 ? 180 / System.Math.PI * wing.Measurement.Twist(frame.Positions)
                         : 100.0 * wing.Measurement.Camber(frame.Positions)).ToArray()).ToArray();
-                ChartAxis up = ChartAxis.Linear(values.SelectMany(own => own));
+                var up = ChartAxis.Linear(values.SelectMany(own => own));
                 for (int k = 0; k < 3; k++)
                 {
                     double[] drawn = System.Text.RegularExpressions.Regex.Matches((string)paths[3 * chart + k].Attribute("d"),

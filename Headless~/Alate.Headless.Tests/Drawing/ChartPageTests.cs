@@ -27,7 +27,7 @@ public sealed class ChartPageTests
 
         // The frame: 44 for labels on the left, 12 on the right, 26 above, 24 below.
         const double left = 144.0, top = 76.0, right = 544.0, bottom = 276.0;
-        ChartAxis up = ChartAxis.Linear(values);
+        var up = ChartAxis.Linear(values);
         double Along(int k) => left + (right - left) * k / (count - 1);
         double Down(double value) => bottom - (bottom - top) * (value - up.From) / (up.To - up.From);
         var asked = new List<string> { Text(108, top - 10, 13, "a < b", look: "b") };
@@ -236,7 +236,7 @@ public sealed class ChartPageTests
             Assert.That(span / finer, Is.GreaterThan(4.0));
 
             double unit = power * round[k % 4];
-            ChartAxis whole = ChartAxis.Linear([unit * 3.0, -unit]);
+            var whole = ChartAxis.Linear([unit * 3.0, -unit]);
             Assert.That(whole.To, Is.EqualTo(3.0 * unit).Within(1e-6 * unit), "a value on a tick ends the axis");
             Assert.That(whole.From, Is.EqualTo(-unit).Within(1e-6 * unit));
         }

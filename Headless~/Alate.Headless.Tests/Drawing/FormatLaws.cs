@@ -1,5 +1,4 @@
 using System;
-using System.Collections.Generic;
 using System.IO;
 using System.Linq;
 using System.Text;
@@ -152,7 +151,10 @@ public sealed class FormatLaws
         // Four off in one channel is near, five is not; the threshold is that of all channels together.
         foreach ((int r, int g, int b) in new[] { (4, 0, 0), (0, 4, 0), (0, 0, 4), (-4, 0, 0), (0, -4, 0), (0, 0, -4), (1, -2, 1),
             (0, 2, -2) })
+        {
             Assert.That(Shown(r, g, b), Has.Length.EqualTo(1), $"{r}, {g}, {b}");
+        }
+
         var many = new ColourTable(dark, [dark, .. Enumerable.Range(0, 8).Select(Corner)], 255);
         foreach ((int r, int g, int b) in new[] { (5, 0, 0), (0, 5, 0), (0, 0, 5), (-3, 1, 1), (2, 2, -1) })
         {
@@ -278,7 +280,7 @@ public sealed class FormatLaws
         for (int k = 0; k < 20; k++)
         {
             float3 place = new(Number(random), Number(random), Number(random));
-            var turn = math.normalize(new quaternion(Number(random) - 0.5f, Number(random), Number(random) - 0.5f, Number(random)));
+            quaternion turn = math.normalize(new quaternion(Number(random) - 0.5f, Number(random), Number(random) - 0.5f, Number(random)));
             float3 gltf = FileAxes.ToGltf(place), blender = FileAxes.ToBlender(place);
 
             Assert.That(gltf, Is.EqualTo(new float3(-place.x, place.y, place.z)));

@@ -138,7 +138,7 @@ public sealed class PhotoLaws
         const int k_Width = 5, k_Height = 4;
         var random = new System.Random(2);
         var grid = new SampleGrid(k_Width, k_Height);
-        float3[,] samples = new float3[3 * k_Width, 3 * k_Height];
+        var samples = new float3[3 * k_Width, 3 * k_Height];
         for (int y = 0; y < 3 * k_Height; y++)
         {
             for (int x = 0; x < 3 * k_Width; x++)

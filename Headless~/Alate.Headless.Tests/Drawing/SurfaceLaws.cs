@@ -201,7 +201,7 @@ public sealed class SurfaceLaws
     {
         var view = new PictureView("", 0f, 0f);
         var scene = new PhotoScene(view, 2f, []);
-        var pose = scene.PoseAt(0.0, quaternion.identity, 0f, [new PictureCamera(view, 10f).Towards * nearer]);
+        Pose pose = scene.PoseAt(0.0, quaternion.identity, 0f, [new PictureCamera(view, 10f).Towards * nearer]);
         var panel = new StripPanel(5f, 6f, 30f, 20f, 10f, new float2(0.2f, -0.3f));
         Color32[] drawn = scene.Draw(pose, panel, 2f);
         var expected = new SampleGrid(60, 40);
@@ -221,7 +221,7 @@ public sealed class SurfaceLaws
     {
         var softened = new List<float>();
         float3[] square = [new(-1f, -1f, 0f), new(1f, -1f, 0f), new(0f, 1f, 0f)], normals = [.. square.Select(_ => new float3(0f, 0f, 1f))];
-        PhotoSurface surface = PhotoSurface.Thin(1, square, [0, 1, 2], new float4[3], (_, softness) =>
+        var surface = PhotoSurface.Thin(1, square, [0, 1, 2], new float4[3], (_, softness) =>
         {
             softened.Add(softness);
             return 1f;

@@ -9,8 +9,8 @@ using Alate.Catalogue;
 using Alate.Cli;
 using Alate.Tests.Cli;
 using NUnit.Framework;
-using Unity.Mathematics;
 using StandIns;
+using Unity.Mathematics;
 using UnityEngine;
 using OwnWing = Alate.Tests.Cli.OwnWing;
 
@@ -87,7 +87,7 @@ public sealed class SceneLaws
             foreach (InsectVariant variant in species.Variants)
             {
                 var settings = ViewSettings.Of(species, variant);
-                var preset = species.Wings[0].CreatePreset(ModelReading.Physical, variant);
+                WingPreset preset = species.Wings[0].CreatePreset(ModelReading.Physical, variant);
                 JsonObject told = SceneMessage.Settings(settings with { IsCompared = true });
                 Assert.That(((string)told["type"], (string)told["species"], (string)told["variant"], (bool)told["compare"],
                     (bool)told["paused"]),
@@ -100,7 +100,10 @@ public sealed class SceneLaws
                     ("delay", Math.Round(preset.Wave.chordDelay, 4)), ("amplitude", 1), ("frequency", 1),
                         ("substeps", preset.SubstepsPerBeat),
                 })
+                {
                     Assert.That((double)told["values"][name], Is.EqualTo(value).Within(1e-6), $"{species.Name} {variant} {name}");
+                }
+
                 Assert.That(settings.Columns, Has.Count.EqualTo(1));
                 Assert.That((settings with { IsCompared = true }).Columns, Is.EqualTo(ComparisonColumn.All));
                 Assert.That(settings.Plan(ComparisonColumn.RigidWing).Lag ?? settings.Plan(ComparisonColumn.NoWave).Lag, Is.Null);
