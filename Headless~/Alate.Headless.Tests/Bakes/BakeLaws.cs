@@ -11,6 +11,7 @@ using Alate.Tests.Cli;
 using NUnit.Framework;
 using Unity.Mathematics;
 using UnityEngine;
+using OwnWing = Alate.Tests.Cli.OwnWing;
 
 namespace Alate.Tests.Bakes;
 
@@ -167,6 +168,30 @@ public sealed class BakeLaws
         Assert.That(run.Output, Does.Contain($"Monarch: {bake.Surface.VertexCount} vertices, {bake.Surface.TriangleCount} triangles"));
         Assert.That(run.Output.ReplaceLineEndings("\n"), Does.EndWith($"Written:\n  {Path.Combine(run.Out, "monarch-morph.glb")}\n"));
         Assert.That(Directory.GetFiles(run.Out, "*", SearchOption.AllDirectories), Has.Length.EqualTo(1));
+    }
+
+    // A wing of one's own is baked where the flight on the spot has it at rest.
+    [TestCase(WingSide.Right)]
+    [TestCase(WingSide.Left)]
+    public void AWingOfTheUsersOwn_RestsWhereItIsFlown(WingSide side)
+    {
+        using var run = new CommandRun();
+        string mesh = run.Write("wing.obj", OwnWing.Obj(side: side)), skeleton = run.Write("wing.json", OwnWing.Skeleton(side));
+        InsectBake bake = new BakePlan { Species = InsectCatalogue.Find("fishfly"), MeshFile = mesh, SkeletonFile = skeleton,
+            Frames = 4 }.Bake(out _);
+        var plan = new FlightPlan { Species = "fishfly", MeshFile = mesh, SkeletonFile = skeleton };
+        using var wings = new TetheredWings(plan, Insect.Of(plan));
+        float3[] baked = [.. bake.Surface.Positions.Select(place => (float3)place * bake.MetresPerUnit)],
+            flown = [.. wings.All.SelectMany(wing => wing.Rest.Select(wing.Placement.ToBody))];
+
+        Assert.That(baked, Has.Length.EqualTo(flown.Length));
+        Assert.That(bake.Wings.Select(wing => wing.Side), Is.EquivalentTo(new[] { WingSide.Right, WingSide.Left }));
+        Assert.That(bake.Name, Is.EqualTo("wing"));
+        foreach (float3 place in flown)
+            Assert.That(baked.Min(other => math.distance(place, other)), Is.LessThan(2e-5f), "metres");
+        foreach (BakedWing wing in bake.Wings)
+            Assert.That(wing.Vertices.Average(vertex => baked[vertex].x),
+                wing.Side == WingSide.Right ? Is.GreaterThan(0.005) : Is.LessThan(-0.005));
     }
 
     private GlbFile File(string form)

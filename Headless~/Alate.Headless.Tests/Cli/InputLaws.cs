@@ -165,6 +165,31 @@ public sealed class InputLaws
         Assert.That(temporary.Content, Is.EqualTo(new[] { "a.txt", "b.json", "c.txt" }), "what was held and not committed is gone");
     }
 
+    // Files of runs that are no more go; what may still be written stays.
+    [Test]
+    public void UnfinishedFiles_OfRunsThatAreNoMore_AreSweptAway()
+    {
+        using var temporary = new TemporaryFolder();
+        string own = UnfinishedFiles.Suffix(3), machine = own[1..9], run = own.Split('-')[2][..16];
+        string Name(string of, int process, string by) => $"a.txt.{of}-{process}-{by}.part";
+        string other = new(run.Reverse().ToArray()), stranger = machine == "00000000" ? "11111111" : "00000000";
+        DateTime now = DateTime.Now;
+        (string Name, DateTime Written, bool Stays)[] files =
+        [
+            ("b.txt" + own, now, true), (Name(machine, Environment.ProcessId, other + "1"), now, false),
+            (Name(stranger, 1, run + "1"), now.AddHours(-23), true), (Name(stranger, 1, run + "2"), now.AddHours(-25), false),
+            (Name(machine, 999999999, run + "3"), now, false), ("a.part", now.AddYears(-1), true),
+                (Name(machine, 999999999, "short"), now, true),
+        ];
+        foreach ((string name, DateTime written, _) in files)
+            File.SetLastWriteTime(temporary.File(name, ""), written);
+        UnfinishedFiles.Sweep(temporary.Root);
+
+        Assert.That(temporary.Content, Is.EquivalentTo(files.Where(file => file.Stays).Select(file => file.Name)));
+        Assert.That(() => UnfinishedFiles.Sweep(temporary.PathOf("none")), Throws.Nothing);
+        Assert.That(UnfinishedFiles.Suffix(4), Is.Not.EqualTo(own));
+    }
+
     [Test]
     public void Mounts_PutAWingOnItsHinge_AndMirrorTheLeftOne()
     {

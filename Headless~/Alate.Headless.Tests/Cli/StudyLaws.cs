@@ -49,6 +49,36 @@ public sealed class StudyLaws
             Assert.That(drawn[k].y - drawn[0].y, Is.EqualTo(-scale * (joints[k].z - joints[0].z)).Within(0.2),
                 "the leading edge lies above");
         }
+
+        // Colours run from the first of the leading chain to the last of the trailing one; the hinge has a ring.
+        string[] colours = svg.Elements(s_Svg + "polyline").Select(line => (string)line.Attribute("stroke")).ToArray();
+        Assert.That(colours, Is.EqualTo(new[] { "#b3261e", "#d97706", "#4d7c0f", "#0e7490", "#6d28d9" }));
+        for (int k = 0; k < circles.Length - 1; k++)
+            Assert.That((string)circles[k].Attribute("fill"), Is.EqualTo(colours[k / fit.Skeleton.JointsPerChain]));
+        Assert.That(((string)circles[^1].Attribute("fill"), Number(circles[^1], "r")), Is.EqualTo(("none", 11.0)));
+        XElement[] ways = svg.Elements(s_Svg + "polyline").ToArray();
+        for (int chain = 0; chain < ways.Length; chain++)
+        {
+            double[] points = Numbers((string)ways[chain].Attribute("points"));
+            for (int joint = 0; joint < fit.Skeleton.JointsPerChain; joint++)
+            {
+                float2 dot = drawn[chain * fit.Skeleton.JointsPerChain + joint];
+                Assert.That(Math.Abs(points[2 * joint] - dot.x) + Math.Abs(points[2 * joint + 1] - dot.y), Is.LessThan(1e-3));
+            }
+        }
+    }
+
+    [TestCase(3, new[] { 0, 2, 4 })]
+    [TestCase(4, new[] { 0, 1, 2, 4 })]
+    [TestCase(9, new[] { 0, 0, 1, 1, 2, 2, 3, 3, 4 })]
+    public void ChainsOfAPicture_TakeTheirColoursFromEndToEnd(int chains, int[] colours)
+    {
+        SkeletonFit fit = SkeletonFitter.Fit(TestWings.Ellipse(length: 1f, chord: 0.5f),
+            new SkeletonFitSettings { chains = chains, jointsPerChain = 3, hinge = Vector3.zero, forward = Vector3.forward });
+        string[] known = ["#b3261e", "#d97706", "#4d7c0f", "#0e7490", "#6d28d9"];
+
+        Assert.That(XElement.Parse(SkeletonPicture.Draw(fit)).Elements(s_Svg + "polyline").Select(line => (string)line.Attribute("stroke")),
+            Is.EqualTo(colours.Select(colour => known[colour])));
     }
 
     [Test]
