@@ -137,9 +137,15 @@ namespace Alate.Tests.Flight
                         int b = bits;
                         keys.Add(KeyOf(Change((ref WingParameters p) => p.options = new ModelOptions
                         {
-                            coefficients = coefficients, timeScheme = scheme, tangent = (AirTangent)(b & 1), clampLift = (b & 2) != 0,
-                            cycleChange = (CycleChange)(b >> 2 & 1), torqueArm = (TorqueArm)(b >> 3 & 1),
-                            springUnits = (SpringUnits)(b >> 4 & 1), coupling = (MembraneCoupling)(b >> 5 & 1), addedMass = (b & 64) != 0,
+                            coefficients = coefficients,
+                            timeScheme = scheme,
+                            tangent = (AirTangent)(b & 1),
+                            clampLift = (b & 2) != 0,
+                            cycleChange = (CycleChange)(b >> 2 & 1),
+                            torqueArm = (TorqueArm)(b >> 3 & 1),
+                            springUnits = (SpringUnits)(b >> 4 & 1),
+                            coupling = (MembraneCoupling)(b >> 5 & 1),
+                            addedMass = (b & 64) != 0,
                         })));
                         count++;
                     }
