@@ -1,4 +1,5 @@
 using Alate.Catalogue;
+using Alate.Showcase;
 using UnityEngine;
 
 namespace Alate.Samples
@@ -13,6 +14,7 @@ namespace Alate.Samples
     {
         private const float k_CameraDistance = 7f;
 
+        private readonly ScreenPanel m_Panel = new ScreenPanel(320f);
         private Stage m_Stage;
         private StudyPanel m_Study;
         private OrbitCamera m_Camera;
@@ -42,14 +44,14 @@ namespace Alate.Samples
 
         private void OnGUI()
         {
-            GUILayout.BeginArea(new Rect(10f, 10f, 320f, 420f), GUI.skin.box);
+            if (!m_Panel.Begin())
+                return;
             if (m_Study.IsOn)
-                m_Study.Draw();
+                m_Study.Draw(m_Panel);
             else
                 DrawControls();
-            GUILayout.Label($"Time × {m_TimeScale:0.000}");
-            m_TimeScale = Mathf.Pow(10f, GUILayout.HorizontalSlider(Mathf.Log10(m_TimeScale), -3f, 0f));
-            GUILayout.EndArea();
+            m_TimeScale = Mathf.Pow(10f, m_Panel.Slider($"Time × {m_TimeScale:0.000}", Mathf.Log10(m_TimeScale), -3f, 0f));
+            m_Panel.End();
             foreach (Stand stand in m_Stage.Stands)
                 Label(stand);
         }
@@ -65,40 +67,32 @@ namespace Alate.Samples
 
         private void DrawControls()
         {
-            GUILayout.BeginHorizontal();
-            if (GUILayout.Button("<"))
+            m_Panel.Row(3);
+            if (m_Panel.Button("<"))
                 m_Wanted = (m_Wanted + InsectCatalogue.All.Count - 1) % InsectCatalogue.All.Count;
-            GUILayout.Label(InsectCatalogue.All[m_Wanted].DisplayName);
-            if (GUILayout.Button(">"))
+            m_Panel.Label(InsectCatalogue.All[m_Wanted].DisplayName);
+            if (m_Panel.Button(">"))
                 m_Wanted = (m_Wanted + 1) % InsectCatalogue.All.Count;
-            GUILayout.EndHorizontal();
             m_Tuning.elasticity = Factor("Elasticity", m_Tuning.elasticity, 0.1f, 4f);
             m_Tuning.delay = Factor("Delay", m_Tuning.delay, 0f, 3f);
             m_Tuning.amplitude = Factor("Amplitude", m_Tuning.amplitude, 0f, 1.5f);
             m_Tuning.frequency = Factor("Frequency", m_Tuning.frequency, 0.25f, 4f);
-            GUILayout.Label($"Head wind {m_Tuning.wind:0.0} m/s");
-            m_Tuning.wind = GUILayout.HorizontalSlider(m_Tuning.wind, -3f, 3f);
-            if (GUILayout.Button("Reset sliders"))
+            m_Tuning.wind = m_Panel.Slider($"Head wind {m_Tuning.wind:0.0} m/s", m_Tuning.wind, -3f, 3f);
+            if (m_Panel.Button("Reset sliders"))
                 m_Tuning = Tuning.None;
-            if (GUILayout.Button("Begin study"))
+            if (m_Panel.Button("Begin study"))
                 m_Study.Begin();
-            GUILayout.Label("1–4: one column alone; 0: all");
+            m_Panel.Label("1–4: one column alone; 0: all");
             ReadKeys();
         }
 
-        private static float Factor(string name, float value, float least, float most)
-        {
-            GUILayout.Label($"{name} × {value:0.00}");
-            return GUILayout.HorizontalSlider(value, least, most);
-        }
+        private float Factor(string name, float value, float least, float most) =>
+            m_Panel.Slider($"{name} × {value:0.00}", value, least, most);
 
         private void ReadKeys()
         {
-            if (Event.current.type != EventType.KeyDown)
-                return;
-            int number = Event.current.keyCode - KeyCode.Alpha0;
-            if (number >= 0 && number <= m_Stage.Stands.Count)
-                m_Stage.Solo(number - 1);
+            if (m_Panel.Digit >= 0 && m_Panel.Digit <= m_Stage.Stands.Count)
+                m_Stage.Solo(m_Panel.Digit - 1);
         }
 
         private void Label(Stand stand)

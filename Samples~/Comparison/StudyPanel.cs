@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.IO;
 using Alate.Catalogue;
+using Alate.Showcase;
 using UnityEngine;
 
 namespace Alate.Samples
@@ -53,37 +54,37 @@ namespace Alate.Samples
         }
 
         /// <summary>Draws the questions, or the results.</summary>
-        public void Draw()
+        /// <param name="panel">Panel between its beginning and its end.</param>
+        public void Draw(ScreenPanel panel)
         {
             if (m_Study.IsOver)
-                DrawResults();
+                DrawResults(panel);
             else
-                DrawQuestion();
-            if (!GUILayout.Button("Leave study"))
+                DrawQuestion(panel);
+            if (!panel.Button("Leave study"))
                 return;
             m_Study = null;
             IsLeft = true;
         }
 
-        private void DrawQuestion()
+        private void DrawQuestion(ScreenPanel panel)
         {
-            GUILayout.Label($"Pair {m_Study.Done + 1} of {m_Study.Count}: which looks more natural?");
-            GUILayout.BeginHorizontal();
-            bool left = GUILayout.Button("Left"), right = GUILayout.Button("Right");
-            GUILayout.EndHorizontal();
-            GUILayout.Label("Take your time; turn the camera as you like.");
+            panel.Label($"Pair {m_Study.Done + 1} of {m_Study.Count}: which looks more natural?");
+            panel.Row(2);
+            bool left = panel.Button("Left"), right = panel.Button("Right");
+            panel.Label("Take your time; turn the camera as you like.");
 
             // A pair that is not yet on the stage was not seen.
             if ((left || right) && m_Shown == m_Study.Done)
                 Choose(left);
         }
 
-        private void DrawResults()
+        private void DrawResults(ScreenPanel panel)
         {
-            GUILayout.Label("Thank you. Votes of all sessions so far:");
+            panel.Label("Thank you. Votes of all sessions so far:");
             foreach (string result in m_Results)
-                GUILayout.Label(result);
-            GUILayout.Label(m_File.Path);
+                panel.Label(result);
+            panel.Label(m_File.Path);
         }
 
         private void Choose(bool left)

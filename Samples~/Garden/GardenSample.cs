@@ -1,6 +1,7 @@
 using System.Collections.Generic;
 using Alate.Catalogue;
 using Alate.Flight;
+using Alate.Showcase;
 using UnityEngine;
 
 namespace Alate.Samples
@@ -27,6 +28,7 @@ namespace Alate.Samples
 
         [SerializeField, Range(0f, 2f)]
         [Tooltip("Metres per second of wind along X, 0 to 2; 0.")]
+        private readonly ScreenPanel m_Panel = new ScreenPanel(280f);
         private float m_Wind;
 
         [SerializeField, Range(0f, 1f)]
@@ -82,17 +84,14 @@ namespace Alate.Samples
 
         private void OnGUI()
         {
-            GUILayout.BeginArea(new Rect(10f, 10f, 280f, 230f), GUI.skin.box);
-            GUILayout.Label($"Butterflies: {m_Count}, {Sitting()} sit");
-            m_Count = Mathf.RoundToInt(GUILayout.HorizontalSlider(m_Count, 0f, k_Most));
-            GUILayout.Label($"Wind: {m_Wind:0.0} m/s");
-            m_Wind = GUILayout.HorizontalSlider(m_Wind, 0f, 2f);
-            GUILayout.Label($"Aid: {m_Aid:0.00}");
-            m_Aid = GUILayout.HorizontalSlider(m_Aid, 0f, 1f);
-            GUILayout.Label($"Dusk: {m_Dusk:0.00}");
-            m_Dusk = GUILayout.HorizontalSlider(m_Dusk, 0f, 1f);
-            GUILayout.Label("Come near with the camera: they flee");
-            GUILayout.EndArea();
+            if (!m_Panel.Begin())
+                return;
+            m_Count = Mathf.RoundToInt(m_Panel.Slider($"Butterflies: {m_Count}, {Sitting()} sit", m_Count, 0f, k_Most));
+            m_Wind = m_Panel.Slider($"Wind: {m_Wind:0.0} m/s", m_Wind, 0f, 2f);
+            m_Aid = m_Panel.Slider($"Aid: {m_Aid:0.00}", m_Aid, 0f, 1f);
+            m_Dusk = m_Panel.Slider($"Dusk: {m_Dusk:0.00}", m_Dusk, 0f, 1f);
+            m_Panel.Label("Come near with the camera: they flee");
+            m_Panel.End();
         }
 
         private void OnDestroy()

@@ -1,5 +1,6 @@
 using System.Collections.Generic;
 using Alate.Catalogue;
+using Alate.Showcase;
 using UnityEngine;
 
 namespace Alate.Samples
@@ -17,6 +18,7 @@ namespace Alate.Samples
 
         private static readonly string[] s_Variants = { "Standard", "Biological", "Expressive" };
 
+        private readonly ScreenPanel m_Panel = new ScreenPanel(300f);
         private readonly List<ShownInsect> m_Insects = new List<ShownInsect>();
         private OrbitCamera m_Camera;
         private InsectVariant m_Variant = InsectVariant.Expressive;
@@ -46,13 +48,13 @@ namespace Alate.Samples
 
         private void OnGUI()
         {
-            GUILayout.BeginArea(new Rect(10f, 10f, 300f, 190f), GUI.skin.box);
-            GUILayout.Label("Drag to turn, right button to move, wheel to come nearer");
-            var chosen = (InsectVariant)GUILayout.Toolbar((int)m_Variant, s_Variants);
-            GUILayout.Label($"Time × {m_TimeScale:0.000}");
-            m_TimeScale = Mathf.Pow(10f, GUILayout.HorizontalSlider(Mathf.Log10(m_TimeScale), -3f, 0f));
-            m_Labels = GUILayout.Toggle(m_Labels, "Names");
-            GUILayout.EndArea();
+            if (!m_Panel.Begin())
+                return;
+            m_Panel.Label("Drag to turn, right button to move, wheel to come nearer");
+            var chosen = (InsectVariant)m_Panel.Choose((int)m_Variant, s_Variants);
+            m_TimeScale = Mathf.Pow(10f, m_Panel.Slider($"Time × {m_TimeScale:0.000}", Mathf.Log10(m_TimeScale), -3f, 0f));
+            m_Labels = m_Panel.Toggle("Names", m_Labels);
+            m_Panel.End();
             if (m_Labels)
             {
                 foreach (ShownInsect insect in m_Insects)

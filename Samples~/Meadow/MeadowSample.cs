@@ -1,4 +1,5 @@
 using Alate.Catalogue;
+using Alate.Showcase;
 using UnityEngine;
 
 namespace Alate.Samples
@@ -19,6 +20,7 @@ namespace Alate.Samples
         [Tooltip("Fireflies, 1 to 20000; 4000.")]
         private int m_Fireflies = 4000;
 
+        private readonly ScreenPanel m_Panel = new ScreenPanel(280f);
         private MeadowCrowd[] m_Crowds = System.Array.Empty<MeadowCrowd>();
         private float m_Time, m_FrameTime;
 
@@ -42,18 +44,18 @@ namespace Alate.Samples
 
         private void OnGUI()
         {
-            GUILayout.BeginArea(new Rect(10f, 10f, 280f, 180f), GUI.skin.box);
-            GUILayout.Label($"{m_FrameTime:0.0} ms a frame");
+            if (!m_Panel.Begin())
+                return;
+            m_Panel.Label($"{m_FrameTime:0.0} ms a frame");
             foreach (MeadowCrowd shown in m_Crowds)
             {
-                GUILayout.Label(
+                m_Panel.Label(
                     shown.Crowd.Problem ?? $"{shown.Crowd.DrawnCount} of {shown.Crowd.Count} baked in sight, {shown.Crowd.LiveNow} live");
-                GUILayout.Label($"{shown.Crowd.DrawCalls} draw calls, {shown.Crowd.Triangles / 1000} thousand triangles");
+                m_Panel.Label($"{shown.Crowd.DrawCalls} draw calls, {shown.Crowd.Triangles / 1000} thousand triangles");
             }
 
-            GUILayout.Label($"Time × {Time.timeScale:0.00}");
-            Time.timeScale = GUILayout.HorizontalSlider(Time.timeScale, 0f, 1f);
-            GUILayout.EndArea();
+            Time.timeScale = m_Panel.Slider($"Time × {Time.timeScale:0.00}", Time.timeScale, 0f, 1f);
+            m_Panel.End();
         }
 
         private void OnDestroy()

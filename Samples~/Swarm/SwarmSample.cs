@@ -1,5 +1,6 @@
 using System.Collections.Generic;
 using Alate.Catalogue;
+using Alate.Showcase;
 using UnityEngine;
 
 namespace Alate.Samples
@@ -28,6 +29,7 @@ namespace Alate.Samples
         [Tooltip("Insects, 1 to 800; 300.")]
         private int m_Count = 300;
 
+        private readonly ScreenPanel m_Panel = new ScreenPanel(280f);
         private readonly List<Flyer> m_Flyers = new List<Flyer>();
         private readonly int[] m_PerDetail = new int[s_Colours.Length];
         private MaterialPropertyBlock m_Tint;
@@ -75,23 +77,22 @@ namespace Alate.Samples
 
         private void OnGUI()
         {
-            GUILayout.BeginArea(new Rect(10f, 10f, 280f, 320f), GUI.skin.box);
-            GUILayout.Label($"{m_FrameTime:0.0} ms a frame, {WingSystem.InsectCount} insects beat");
-            GUILayout.Label($"Insects: {m_Count}");
-            Count = Mathf.RoundToInt(GUILayout.HorizontalSlider(m_Count, 1f, k_Most));
-            GUILayout.Label($"Time × {Time.timeScale:0.00}");
-            Time.timeScale = GUILayout.HorizontalSlider(Time.timeScale, 0f, 1f);
-            m_UsesDetail = GUILayout.Toggle(m_UsesDetail, "Level of detail");
-            m_ShowsDetail = GUILayout.Toggle(m_ShowsDetail, "Show it by colours");
+            if (!m_Panel.Begin())
+                return;
+            m_Panel.Label($"{m_FrameTime:0.0} ms a frame, {WingSystem.InsectCount} insects beat");
+            Count = Mathf.RoundToInt(m_Panel.Slider($"Insects: {m_Count}", m_Count, 1f, k_Most));
+            Time.timeScale = m_Panel.Slider($"Time × {Time.timeScale:0.00}", Time.timeScale, 0f, 1f);
+            m_UsesDetail = m_Panel.Toggle("Level of detail", m_UsesDetail);
+            m_ShowsDetail = m_Panel.Toggle("Show it by colours", m_ShowsDetail);
             for (int detail = 0; detail < s_Colours.Length; detail++)
             {
                 GUI.contentColor = m_ShowsDetail ? s_Colours[detail] : Color.white;
-                GUILayout.Label(
+                m_Panel.Label(
                     $"{m_PerDetail[detail]} {(WingDetail)detail}{(detail == (int)WingDetail.Frozen ? " or out of sight" : "")}");
             }
 
             GUI.contentColor = Color.white;
-            GUILayout.EndArea();
+            m_Panel.End();
         }
 
         private void OnDestroy() => Time.timeScale = 1f;

@@ -1,6 +1,7 @@
 using System.Collections.Generic;
 using Alate.Catalogue;
 using Alate.Fitting;
+using Alate.Showcase;
 using UnityEngine;
 
 namespace Alate.Samples
@@ -21,6 +22,7 @@ namespace Alate.Samples
             "5. A preset of its own: its real size, its beat, its stiffness.",
         };
 
+        private readonly ScreenPanel m_Panel = new ScreenPanel(430f);
         private readonly List<Object> m_Made = new List<Object>();
         private Transform m_Insect;
         private InsectWings m_Wings;
@@ -46,20 +48,19 @@ namespace Alate.Samples
 
         private void OnGUI()
         {
-            GUILayout.BeginArea(new Rect(10f, 10f, 430f, 300f), GUI.skin.box);
-            GUILayout.Label(s_Steps[m_Step]);
-            GUILayout.Label(m_Found);
-            GUILayout.BeginHorizontal();
-            if (GUILayout.Button("Back"))
+            if (!m_Panel.Begin())
+                return;
+            m_Panel.Label(s_Steps[m_Step]);
+            m_Panel.Label(m_Found);
+            m_Panel.Row(2);
+            if (m_Panel.Button("Back"))
                 m_Wanted = Mathf.Max(0, m_Wanted - 1);
-            if (GUILayout.Button("Next"))
+            if (m_Panel.Button("Next"))
                 m_Wanted = Mathf.Min(s_Steps.Length - 1, m_Wanted + 1);
-            GUILayout.EndHorizontal();
-            GUILayout.Label($"Time × {m_TimeScale:0.00}");
-            m_TimeScale = GUILayout.HorizontalSlider(m_TimeScale, 0f, 1f);
+            m_TimeScale = m_Panel.Slider($"Time × {m_TimeScale:0.00}", m_TimeScale, 0f, 1f);
             if (m_Preset != null)
                 Tune();
-            GUILayout.EndArea();
+            m_Panel.End();
         }
 
         private void OnDestroy() => Clear();
@@ -138,14 +139,13 @@ namespace Alate.Samples
 
         private void Tune()
         {
-            GUILayout.Label($"Frequency: {m_Preset.Beat.maxFrequency:0.0} Hz");
-            m_Preset.Beat.maxFrequency = GUILayout.HorizontalSlider(m_Preset.Beat.maxFrequency, 2f, 60f);
-            GUILayout.Label($"Flap range: {m_Preset.Beat.flapRange:0}°");
-            m_Preset.Beat.flapRange = GUILayout.HorizontalSlider(m_Preset.Beat.flapRange, 0f, 170f);
-            GUILayout.Label($"Elasticity: {m_Preset.Stiffness.elasticity:0.00}");
-            m_Preset.Stiffness.elasticity = GUILayout.HorizontalSlider(m_Preset.Stiffness.elasticity, 0.1f, 4f);
-            GUILayout.Label($"Chord delay: {m_Preset.Wave.chordDelay:0.00} half beats");
-            m_Preset.Wave.chordDelay = GUILayout.HorizontalSlider(m_Preset.Wave.chordDelay, 0f, 0.5f);
+            m_Preset.Beat.maxFrequency = m_Panel.Slider(
+                $"Frequency: {m_Preset.Beat.maxFrequency:0.0} Hz", m_Preset.Beat.maxFrequency, 2f, 60f);
+            m_Preset.Beat.flapRange = m_Panel.Slider($"Flap range: {m_Preset.Beat.flapRange:0}°", m_Preset.Beat.flapRange, 0f, 170f);
+            m_Preset.Stiffness.elasticity = m_Panel.Slider(
+                $"Elasticity: {m_Preset.Stiffness.elasticity:0.00}", m_Preset.Stiffness.elasticity, 0.1f, 4f);
+            m_Preset.Wave.chordDelay = m_Panel.Slider(
+                $"Chord delay: {m_Preset.Wave.chordDelay:0.00} half beats", m_Preset.Wave.chordDelay, 0f, 0.5f);
         }
 
         private Transform Draw(string name, Transform parent, Mesh mesh)

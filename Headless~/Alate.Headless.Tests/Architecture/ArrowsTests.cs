@@ -17,6 +17,7 @@ namespace Alate.Tests.Architecture
         private static readonly Dictionary<string, string> s_Outside = new Dictionary<string, string>
         {
             ["Unity.Burst"] = "Unity.Burst",
+            ["Unity.InputSystem"] = "UnityEngine.InputSystem",
             ["Unity.Mathematics"] = "Unity.Mathematics",
             ["Unity.Splines"] = "UnityEngine.Splines",
         };
@@ -147,7 +148,8 @@ namespace Alate.Tests.Architecture
             Assert.That(named, Is.EquivalentTo(used));
             Assert.That(
                 standIns.Select(Path.GetFileNameWithoutExtension),
-                Is.EquivalentTo(Rooms.Folders[assembly].StartsWith("Editor") ? new[] { "Unity", "Unity.Editor" } : new[] { "Unity" }));
+                Is.EquivalentTo(Rooms.Folders[assembly].StartsWith("Editor") ? new[] { "Unity", "Unity.Editor" }
+                    : named.Contains("Unity.InputSystem") ? new[] { "Unity", "Unity.InputSystem" } : new[] { "Unity" }));
             Assert.That(project.Descendants("DisableTransitiveProjectReferences").Single().Value, Is.EqualTo("true"));
         }
 

@@ -31,6 +31,7 @@ namespace Alate.Tests.Architecture
             ["Alate.Flight"] = ["Alate", "Alate.Geometry", "Alate.Model"],
             ["Alate.Crowds"] = ["Alate", "Alate.Flight", "Alate.Geometry", "Alate.Model"],
             ["Alate.Catalogue"] = ["Alate", "Alate.Flight", "Alate.Geometry", "Alate.Model"],
+            ["Alate.Showcase"] = [],
             ["Alate.Authoring"] = ["Alate.Fitting", "Alate.Geometry", "Alate.Model"],
             ["Alate.Editor"] = ["Alate", "Alate.Authoring", "Alate.Catalogue", "Alate.Crowds", "Alate.Fitting", "Alate.Flight",
                 "Alate.Geometry", "Alate.Model"],
@@ -46,6 +47,7 @@ namespace Alate.Tests.Architecture
             ["Alate.Flight"] = "Runtime/Flight",
             ["Alate.Crowds"] = "Runtime/Crowds",
             ["Alate.Catalogue"] = "Runtime/Catalogue",
+            ["Alate.Showcase"] = "Runtime/Showcase",
             ["Alate.Authoring"] = "Editor/Authoring",
             ["Alate.Editor"] = "Editor",
             ["Alate.Formats"] = "Headless~/Alate.Formats",
@@ -138,6 +140,11 @@ namespace Alate.Tests.Architecture
                     ["Factory"] = ["Bodies", "Catalogue", "Definitions", "Materials"],
                     ["Flight"] = ["Catalogue", "Definitions"],
                     ["Showcase"] = ["Catalogue", "Definitions"],
+                },
+                ["Alate.Showcase"] = new Dictionary<string, string[]>
+                {
+                    ["Pointing"] = [],
+                    ["Showcase"] = ["Pointing"],
                 },
                 ["Alate.Catalogue/Flight"] = new Dictionary<string, string[]>
                 {

@@ -51,7 +51,7 @@ public sealed class ComparisonSampleTests : SampleFixture<ComparisonSample>
         DrawnScreen.Slide("Delay", 3f);
         DrawnScreen.Slide("Elasticity", 2f);
         DrawnScreen.Slide("Head wind", 2f);
-        yield return Frames(7);
+        yield return Frames(12);
         WingPreset usual = Keep(InsectCatalogue.All[0].Wings[0].CreatePreset());
         foreach (InsectWings insect in Insects)
         {
@@ -70,14 +70,14 @@ public sealed class ComparisonSampleTests : SampleFixture<ComparisonSample>
     {
         yield return Begin();
         DrawnScreen.Key(KeyCode.Alpha0 + number);
-        yield return Frames(3);
+        yield return Frames(4);
         InsectWings[] shown = [.. Insects.Where(insect => insect.Wings[0].Renderer.enabled)];
         Assert.That(shown.Select(insect => insect.name), Is.EqualTo(new[] { ComparisonColumn.All[number - 1].Title }));
         Assert.That(shown[0].transform.localPosition, Is.EqualTo(Vector3.zero));
         Assert.That(DrawnScreen.Text, Does.Contain(ComparisonColumn.All[number - 1].Title).And.Not.Contain("No deformation wave"));
 
         DrawnScreen.Key(KeyCode.Alpha0);
-        yield return Frames(3);
+        yield return Frames(4);
         Assert.That(Insects.Count(insect => insect.Wings[0].Renderer.enabled), Is.EqualTo(4));
     }
 

@@ -50,7 +50,7 @@ public sealed class InsectsSampleTests : SampleFixture<InsectsSample>
         foreach (float timeScale in new[] { 0.1f, 0.01f })
         {
             DrawnScreen.Slide("Time", Mathf.Log10(timeScale));
-            yield return Frames(2);
+            yield return Frames(3);
             float before = monarch.Phase, frequency = monarch.Frequency;
             yield return Frames(6);
             float degrees = Mathf.Repeat(monarch.Phase - before, 360f);

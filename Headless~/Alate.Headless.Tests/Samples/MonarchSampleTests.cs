@@ -1,6 +1,6 @@
 using System.Collections;
 using System.Linq;
-using Alate.Catalogue;
+using Alate.Showcase;
 using Alate.Samples;
 using NUnit.Framework;
 using StandIns;
@@ -28,8 +28,8 @@ public sealed class MonarchSampleTests : SampleFixture<MonarchSample>
         OrbitCamera orbit = Sample.GetComponentInChildren<OrbitCamera>();
         float yaw = orbit.Yaw, distance = orbit.Distance;
         DrawnScreen.Drag(new Vector2(20f, 0f));
-        DrawnScreen.Scroll(-3f);
-        yield return Frames(3);
+        DrawnScreen.Scroll(1f);
+        yield return Frames(6);
         Assert.That(orbit.Yaw, Is.GreaterThan(yaw));
         Assert.That(orbit.Distance, Is.LessThan(distance));
     }

@@ -16,17 +16,17 @@ public sealed class OwnWingSampleTests : SampleFixture<OwnWingSample>
         yield return Begin();
         for (int step = 4; step >= 0; step--)
         {
-            yield return Frames(3);
+            yield return Frames(4);
             Assert.That(DrawnScreen.Text, Does.StartWith($"{step + 1}."));
             Assert.That(Insects.Count(insect => insect.State == InsectState.Ready), Is.EqualTo(step >= 3 ? 1 : 0));
             DrawnScreen.Press("Back");
-            yield return Frames(2);
+            yield return Frames(4);
         }
 
         for (int step = 0; step < 4; step++)
         {
             DrawnScreen.Press("Next");
-            yield return Frames(3);
+            yield return Frames(4);
         }
 
         Assert.That(DrawnScreen.Text, Does.StartWith("5."));

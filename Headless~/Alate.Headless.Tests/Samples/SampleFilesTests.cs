@@ -95,7 +95,7 @@ public sealed class SampleFilesTests
     private static IEnumerable<string> References(string text)
     {
         string[] always = ["Alate", "Alate.Catalogue", "Alate.Fitting", "Alate.Model"],
-            chosen = ["Alate.Crowds", "Alate.Flight", "Unity.Mathematics"];
+            chosen = ["Alate.Crowds", "Alate.Flight", "Alate.Showcase", "Unity.Mathematics"];
         return always.Concat(chosen.Where(assembly => text.Contains($"using {assembly};"))).Order(StringComparer.Ordinal);
     }
 

@@ -41,7 +41,7 @@ namespace Alate.Tests
             {
                 Vector3 off = part.Positions[corner] - root;
                 Assert.That((off.magnitude, (part.Positions[4 + corner] + root).magnitude), Is.EqualTo((0.5f, 0.25f)).Using<(float, float)>(
-                    (one, other) => Math.Abs(one.Item1 - other.Item1) + Math.Abs(one.Item2 - other.Item2) < 1e-5f));
+                    (one, other) => Math.Abs(one.Item1 - other.Item1) + Math.Abs(one.Item2 - other.Item2) < 1e-5f ? 0 : 1));
                 Assert.That(Vector3.Dot(off, along), Is.Zero.Within(1e-5f));
                 Vector3 next = part.Positions[(corner + 1) % 3] - root;
                 Assert.That(Vector3.Dot(off, next), Is.EqualTo(-0.5f * 0.25f).Within(1e-5f), "a third of a turn");
@@ -293,8 +293,8 @@ namespace Alate.Tests
             }
         }
 
-        private static bool Near((float, float) one, (float, float) other) =>
-            Math.Abs(one.Item1 - other.Item1) + Math.Abs(one.Item2 - other.Item2) < 1e-4f;
+        private static int Near((float, float) one, (float, float) other) =>
+            Math.Abs(one.Item1 - other.Item1) + Math.Abs(one.Item2 - other.Item2) < 1e-4f ? 0 : 1;
 
         private static Rect Around(IEnumerable<Vector2> uvs)
         {

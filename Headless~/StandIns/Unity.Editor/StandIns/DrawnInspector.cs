@@ -114,7 +114,8 @@ public sealed class DrawnInspector : IGuiPage
 
     int IGuiPage.Changes => (_wasPressed ? 1 : 0) + (_wasPut ? 1 : 0);
 
-    float IGuiPage.Slide(float value, float left, float right) => throw new NotSupportedException("Inspectors have no plain sliders yet.");
+    float IGuiPage.Slide(Rect at, float value, float left, float right) =>
+        throw new NotSupportedException("Inspectors have no plain sliders yet.");
 
     void IGuiPage.BeginArea(Rect area) => throw new NotSupportedException("Inspectors have no areas yet.");
 

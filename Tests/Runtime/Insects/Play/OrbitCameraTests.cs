@@ -1,5 +1,5 @@
 using System.Collections;
-using Alate.Catalogue;
+using Alate.Showcase;
 using NUnit.Framework;
 using UnityEngine;
 using UnityEngine.TestTools;

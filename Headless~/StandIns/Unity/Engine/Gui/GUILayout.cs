@@ -84,5 +84,5 @@ public class GUILayout
         float value,
         float leftValue,
         float rightValue,
-        params GUILayoutOption[] options) => GuiPage.Needed.Slide(value, leftValue, rightValue);
+        params GUILayoutOption[] options) => GuiPage.Needed.Slide(GuiPage.Needed.Next(k_Line), value, leftValue, rightValue);
 }

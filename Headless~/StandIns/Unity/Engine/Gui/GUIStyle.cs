@@ -25,7 +25,16 @@ public sealed class GUIStyle
     public bool stretchHeight { get; set; }
 
     public Vector2 CalcSize(GUIContent content) => throw Absent.Gui;
-    public float CalcHeight(GUIContent content, float width) => throw Absent.Gui;
+
+    /// <summary>Lines of 18 pixels, in letters of 7.</summary>
+    public float CalcHeight(GUIContent content, float width)
+    {
+        float lines = 0f;
+        foreach (string line in content.text.Split('\n'))
+            lines += Mathf.Max(1f, Mathf.Ceil(7f * line.Length / width));
+        return 18f * lines;
+    }
+
     public void Draw(Rect position, bool isHover, bool isActive, bool on, bool hasKeyboardFocus) => throw Absent.Gui;
     public void Draw(Rect position, string text, bool isHover, bool isActive, bool on, bool hasKeyboardFocus) => throw Absent.Gui;
     public void Draw(Rect position, GUIContent content, bool isHover, bool isActive, bool on, bool hasKeyboardFocus) => throw Absent.Gui;

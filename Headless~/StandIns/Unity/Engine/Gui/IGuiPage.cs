@@ -18,7 +18,7 @@ internal interface IGuiPage
     int Changes { get; }
 
     /// <summary>Notes a slider; says where the test puts it.</summary>
-    float Slide(float value, float left, float right);
+    float Slide(Rect at, float value, float left, float right);
 
     /// <summary>Opens a group of controls in a place of its own.</summary>
     void BeginArea(Rect area);

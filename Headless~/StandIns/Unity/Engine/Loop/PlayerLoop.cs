@@ -43,6 +43,7 @@ public static class PlayerLoop
         }
 
         Clock.Reset();
+        DrawnScreen.Forget();
         IsPlaying = true;
         LoadMethods.Run(RuntimeInitializeLoadType.SubsystemRegistration);
         LoadMethods.Run(RuntimeInitializeLoadType.AfterAssembliesLoaded);
@@ -104,10 +105,11 @@ public static class PlayerLoop
             Clock.InFixedStep = false;
         }
 
+        DrawnScreen.BeginFrame();
         BehaviourList.Send(s_Update);
         CoroutineSet.ResumeAll(FramePoint.Update);
         BehaviourList.Send(s_LateUpdate);
-        if (IsPlaying && (DrawnScreen.IsExpectingActs || BehaviourList.AnyHears(s_OnGui)))
+        if (IsPlaying && BehaviourList.AnyHears(s_OnGui))
             DrawnScreen.Draw(s_DrawAll);
         CoroutineSet.ResumeAll(FramePoint.EndOfFrame);
         JobHandle.ScheduleBatchedJobs();

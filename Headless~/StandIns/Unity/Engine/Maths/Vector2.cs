@@ -37,6 +37,8 @@ public struct Vector2 : IEquatable<Vector2>, IFormattable
 
     public static float Dot(Vector2 lhs, Vector2 rhs) => lhs.x * rhs.x + lhs.y * rhs.y;
     public static float Distance(Vector2 a, Vector2 b) => (a - b).magnitude;
+    public static Vector2 ClampMagnitude(Vector2 vector, float maxLength) =>
+        vector.sqrMagnitude > maxLength * maxLength ? vector * (maxLength / vector.magnitude) : vector;
     public static Vector2 Lerp(Vector2 a, Vector2 b, float t) => a + (b - a) * Mathf.Clamp01(t);
 
     public bool Equals(Vector2 other) => x == other.x && y == other.y;

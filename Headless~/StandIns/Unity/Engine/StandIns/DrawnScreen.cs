@@ -6,65 +6,119 @@ using UnityEngine;
 namespace StandIns;
 
 /// <summary>
-/// The screen that OnGUI of playing scripts draws on, at the end of each frame: once for what a test does to it, then for layout and for
-/// repaint, which must have the same controls. Areas lie on the screen and hold their lines, and every group is closed.
+/// The screen that OnGUI of playing scripts draws on, at the end of each frame: for layout and for repaint, which must lay out the same
+/// controls. Areas lie on the screen and hold their lines, and every group is closed. A test moves mouse and keys, which scripts find in
+/// <see cref="Input"/>; no event of them reaches OnGUI, as where the Input System is the only back end.
 /// </summary>
 [Unity.StandIns.StandInExtension]
 public static class DrawnScreen
 {
-    private static readonly Queue<ScreenAct> s_Acts = new();
-    private static IReadOnlyList<DrawnControl> s_Controls = [];
+    private static readonly Queue<Action> s_Acts = new();
+    private static ScreenPage s_Page = new();
 
     /// <summary>Controls of the last frame, in the order in which they were drawn.</summary>
-    public static IReadOnlyList<DrawnControl> Controls => s_Controls;
+    public static IReadOnlyList<DrawnControl> Controls => s_Page.Controls;
 
     /// <summary>All texts of the last frame, joined.</summary>
-    public static string Text => string.Join("\n", s_Controls.Select(control => control.Text));
+    public static string Text => string.Join("\n", Controls.Select(control => control.Text));
 
-    /// <summary>True where a test has acts for the screen.</summary>
-    internal static bool IsExpectingActs => s_Acts.Count > 0;
+    /// <summary>True where a test has acts that no frame has done yet.</summary>
+    public static bool IsBusy => s_Acts.Count > 0;
 
-    /// <summary>Presses a button or toggle in the next frame.</summary>
-    public static void Press(string text) => s_Acts.Enqueue(new ScreenAct(new Event { type = EventType.MouseUp }) { Pressed = text });
+    /// <summary>Presses a button or toggle in the next frame, and lets it go in the one after it.</summary>
+    public static void Press(string text)
+    {
+        s_Acts.Enqueue(() => Hold(Find(text).Place.center));
+        s_Acts.Enqueue(Release);
+    }
 
-    /// <summary>Moves the slider below the label that begins with a text in the next frame.</summary>
-    public static void Slide(string label, float value) =>
-        s_Acts.Enqueue(new ScreenAct(new Event { type = EventType.MouseDrag }) { Slid = label, Value = value });
+    /// <summary>Takes the slider below the label that begins with a text in the next frame, and lets it go in the one after it.</summary>
+    public static void Slide(string label, float value)
+    {
+        s_Acts.Enqueue(() =>
+        {
+            (string found, Rect place, float left, float right) =
+                s_Page.Sliders.Find(slider => slider.Label.StartsWith(label, StringComparison.Ordinal));
+            if (found == null)
+                throw new InvalidOperationException($"There is no slider '{label}' on the screen.");
+            float share = Math.Clamp((value - left) / (right - left), 0f, 1f);
+            Hold(new Vector2(place.xMin + share * place.width, place.center.y));
+        });
+        s_Acts.Enqueue(Release);
+    }
 
-    /// <summary>Presses a key in the next frame.</summary>
-    public static void Key(KeyCode key) => s_Acts.Enqueue(new ScreenAct(new Event { type = EventType.KeyDown, keyCode = key }));
+    /// <summary>Presses a key, which the frame after the next sees go down.</summary>
+    public static void Key(KeyCode key)
+    {
+        s_Acts.Enqueue(() => Input.Press(key));
+        s_Acts.Enqueue(() => Input.Release(key));
+    }
 
-    /// <summary>Moves the mouse with its left button held, beside all controls, in the next frame.</summary>
-    public static void Drag(Vector2 way) => s_Acts.Enqueue(new ScreenAct(new Event { type = EventType.MouseDrag, delta = way }));
+    /// <summary>Moves the mouse with its left button held, beside all controls: three frames.</summary>
+    /// <param name="way">Pixels to the right and down.</param>
+    public static void Drag(Vector2 way)
+    {
+        var corner = new Vector2(Screen.width - 1f, Screen.height - 1f);
+        s_Acts.Enqueue(() => Hold(corner - way));
+        s_Acts.Enqueue(() => Hold(corner));
+        s_Acts.Enqueue(Release);
+    }
 
-    /// <summary>Turns the mouse's wheel in the next frame.</summary>
-    public static void Scroll(float lines) =>
-        s_Acts.Enqueue(new ScreenAct(new Event { type = EventType.ScrollWheel, delta = new Vector2(0f, lines) }));
+    /// <summary>Turns the mouse's wheel in the next frame, beside all controls.</summary>
+    /// <param name="notches">Away from the user positive.</param>
+    public static void Scroll(float notches)
+    {
+        s_Acts.Enqueue(() =>
+        {
+            Input.MoveMouse(new Vector2(Screen.width - 1f, 1f));
+            Input.Scroll(notches);
+        });
+        s_Acts.Enqueue(() => Input.Scroll(0f));
+    }
+
+    /// <summary>Does the next act of the test.</summary>
+    internal static void BeginFrame()
+    {
+        if (s_Acts.TryDequeue(out Action act))
+            act();
+    }
+
+    /// <summary>Forgets all acts, as between two tests.</summary>
+    internal static void Forget()
+    {
+        s_Acts.Clear();
+        Release();
+        Input.Scroll(0f);
+        s_Page = new ScreenPage();
+    }
 
     /// <summary>Draws a frame.</summary>
     internal static void Draw(Action sendAll)
     {
-        if (s_Acts.TryDequeue(out ScreenAct act))
-        {
-            Pass(sendAll, new ScreenPage(act), act.Event);
-            if (!act.IsDone)
-                throw new InvalidOperationException($"There is nothing on the screen to do '{act.Pressed ?? act.Slid}' to.");
-        }
-
-        List<DrawnControl> layout = Pass(sendAll, new ScreenPage(null), new Event { type = EventType.Layout });
-        List<DrawnControl> repaint = Pass(sendAll, new ScreenPage(null), new Event { type = EventType.Repaint });
-        if (!layout.Select(control => control.Kind)
-            .SequenceEqual(repaint.Where(control => control.Kind != ControlKind.Area).Select(control => control.Kind)))
-        {
+        ScreenPage layout = Pass(sendAll, EventType.Layout), repaint = Pass(sendAll, EventType.Repaint);
+        if (!layout.LaidOut.SequenceEqual(repaint.LaidOut))
             throw new InvalidOperationException("Layout and repaint have other controls.");
-        }
-        s_Controls = repaint;
+        s_Page = repaint;
     }
 
-    private static List<DrawnControl> Pass(Action sendAll, ScreenPage page, Event what)
+    private static DrawnControl Find(string text) =>
+        Controls.FirstOrDefault(control => control.Text == text && control.Kind is ControlKind.Button or ControlKind.Toggle)
+        ?? throw new InvalidOperationException($"There is nothing on the screen to do '{text}' to.");
+
+    // GUI counts from the upper left corner, Input from the lower left one.
+    private static void Hold(Vector2 place)
     {
+        Input.MoveMouse(new Vector2(place.x, Screen.height - place.y));
+        Input.HoldMouse(0, true);
+    }
+
+    private static void Release() => Input.HoldMouse(0, false);
+
+    private static ScreenPage Pass(Action sendAll, EventType what)
+    {
+        var page = new ScreenPage();
         GuiPage.Current = page;
-        Event.current = what;
+        Event.current = new Event { type = what };
         try
         {
             sendAll();
@@ -76,6 +130,6 @@ public static class DrawnScreen
             Event.current = null;
         }
 
-        return what.type == EventType.Layout ? page.Controls.FindAll(control => control.Kind != ControlKind.Area) : page.Controls;
+        return page;
     }
 }

@@ -5,7 +5,7 @@ using UnityEngine;
 namespace StandIns;
 
 /// <summary>One pass over the screen: what was drawn where, and whether it fits.</summary>
-internal sealed class ScreenPage(ScreenAct act) : IGuiPage
+internal sealed class ScreenPage : IGuiPage
 {
     private const float k_Gap = 4f;
     private readonly Stack<(string Name, Rect Area, float Next)> _groups = new();
@@ -13,8 +13,15 @@ internal sealed class ScreenPage(ScreenAct act) : IGuiPage
     private float _row;
     private Rect _area = new(0f, 0f, Screen.width, Screen.height);
     private string _label = "";
+    private bool _isLaidOut;
 
     public List<DrawnControl> Controls { get; } = [];
+
+    /// <summary>Kinds of the controls whose places GUILayout found.</summary>
+    public List<ControlKind> LaidOut { get; } = [];
+
+    /// <summary>Sliders with their ends, by their labels.</summary>
+    public List<(string Label, Rect Place, float Left, float Right)> Sliders { get; } = [];
 
     public Rect Next(float height)
     {
@@ -27,34 +34,30 @@ internal sealed class ScreenPage(ScreenAct act) : IGuiPage
             _next += height + k_Gap;
         if (_next > _area.height)
             throw new InvalidOperationException($"The area at {_area} is too low for its lines, which need {_next} pixels.");
+        _isLaidOut = true;
         return line;
     }
 
     public bool Add(ControlKind kind, Rect at, GUIContent content, string value)
     {
         Controls.Add(new DrawnControl(kind, at, content.text, content.tooltip ?? "", value, GUI.enabled));
-        if (kind == ControlKind.Label)
+        if (_isLaidOut)
+            LaidOut.Add(kind);
+        _isLaidOut = false;
+        if (kind is ControlKind.Label or ControlKind.Area)
             _label = content.text;
-        bool pressed = GUI.enabled && act is { WasFound: false, Pressed: not null } && act.Pressed == content.text
-            && kind is ControlKind.Button or ControlKind.Toggle;
-        if (pressed && act != null)
-            act.WasFound = true;
-        return pressed;
+        return false;
     }
 
     public object Put(GUIContent label, object value) => throw new NotSupportedException("A game has no fields of the editor.");
 
     public int Changes => throw new NotSupportedException("A game has no fields of the editor.");
 
-    public float Slide(float value, float left, float right)
+    public float Slide(Rect at, float value, float left, float right)
     {
-        Rect at = Next(18f);
-        bool isMeant = act is { WasFound: false, Slid: not null } && _label.StartsWith(act.Slid, StringComparison.Ordinal);
-        Controls.Add(new DrawnControl(ControlKind.Field, at, _label, "", $"{value} of {left} to {right}", GUI.enabled));
-        if (!isMeant)
-            return value;
-        act.WasFound = true;
-        return Math.Clamp(act.Value, Math.Min(left, right), Math.Max(left, right));
+        Sliders.Add((_label, at, left, right));
+        Add(ControlKind.Field, at, new GUIContent(_label), $"{value} of {left} to {right}");
+        return value;
     }
 
     public void Begin(string group)

@@ -1,12 +1,12 @@
 using UnityEngine;
 using UnityEngine.Scripting.APIUpdating;
 
-namespace Alate.Catalogue
+namespace Alate.Showcase
 {
     /// <summary>
-    /// Turns a camera about a point: drag to turn, with the right button or Shift to move, the wheel to come nearer. It listens to the
-    /// events of IMGUI, so it works with the old and the new input system alike. To look at insects in an empty scene, <see cref="Create"/>
-    /// makes one with a light.
+    /// Turns a camera about a point: drag to turn, with the right button or Shift to move, the wheel to come nearer. One finger turns, two
+    /// move and pinch; a gamepad's sticks and the arrow keys turn, its triggers come nearer and go away. Works with the Input Manager, the
+    /// Input System package and both. To look at insects in an empty scene, <see cref="Create"/> makes one with a light.
     /// </summary>
     [AddComponentMenu("Alate/Orbit Camera")]
     [RequireComponent(typeof(Camera))]
@@ -14,7 +14,8 @@ namespace Alate.Catalogue
     [MovedFrom(true, "Alate", "Alate")]
     public sealed class OrbitCamera : MonoBehaviour
     {
-        private const float k_DegreesPerPixel = 0.3f, k_ZoomPerLine = 0.05f, k_SteepestPitch = 89f;
+        private const float k_DegreesPerPixel = 0.3f, k_ZoomPerNotch = 0.15f, k_SteepestPitch = 89f;
+        private const float k_DegreesPerSecond = 120f, k_ZoomPerSecond = 1.5f, k_DeadZone = 0.15f;
         private const float k_LeastDistance = 0.05f, k_MostDistance = 1000f, k_NearShare = 0.02f;
 
         [SerializeField]
@@ -34,6 +35,9 @@ namespace Alate.Catalogue
         [Range(-k_SteepestPitch, k_SteepestPitch)]
         [Tooltip("Degrees the camera looks down.")]
         private float m_Pitch = 25f;
+
+        private PointerFrame m_Last;
+        private bool m_IsDragged;
 
         /// <summary>Point that the camera turns about, world units.</summary>
         public Vector3 Target
@@ -118,29 +122,47 @@ namespace Alate.Catalogue
             light.intensity = 1.1f;
         }
 
-        private void Awake() => useGUILayout = false;
+        private void OnEnable() => m_Last = PointerReader.Now;
 
-        private void OnGUI()
+        private void Update()
         {
-            Event now = Event.current;
-            if (now.type == EventType.ScrollWheel)
-                Distance *= Mathf.Exp(k_ZoomPerLine * now.delta.y);
-            else if (now.type == EventType.MouseDrag && GUIUtility.hotControl == 0)
+            PointerFrame now = PointerReader.Now;
+            bool wasHeld = m_Last.isDown || m_Last.isOtherDown, isHeld = now.isDown || now.isOtherDown;
+
+            // What begins on a panel belongs to the panel until everything is let go.
+            if (isHeld && !wasHeld)
+                m_IsDragged = !ScreenPanel.Covers(now.position);
+            if (m_IsDragged && isHeld && wasHeld && now.fingers == m_Last.fingers)
                 Drag(now);
+            if (!ScreenPanel.Covers(now.position))
+                Distance *= Mathf.Exp(-k_ZoomPerNotch * now.wheel);
+            Steer(now, Time.unscaledDeltaTime);
+            m_Last = now;
         }
 
-        private void Drag(Event drag)
+        private void Drag(in PointerFrame now)
         {
-            if (drag.button != 0 || drag.shift)
+            Vector2 moved = now.Middle - m_Last.Middle;
+            if (now.fingers < 2 && now.isDown && !now.isShifted)
             {
-                float unitsPerPixel =
-                    2f * m_Distance * Mathf.Tan(0.5f * Mathf.Deg2Rad * GetComponent<Camera>().fieldOfView) / Screen.height;
-                m_Target += unitsPerPixel * (drag.delta.y * transform.up - drag.delta.x * transform.right);
+                m_Yaw += k_DegreesPerPixel * moved.x;
+                Pitch += k_DegreesPerPixel * moved.y;
                 return;
             }
 
-            m_Yaw += k_DegreesPerPixel * drag.delta.x;
-            Pitch += k_DegreesPerPixel * drag.delta.y;
+            float unitsPerPixel = 2f * m_Distance * Mathf.Tan(0.5f * Mathf.Deg2Rad * GetComponent<Camera>().fieldOfView) / Screen.height;
+            m_Target += unitsPerPixel * (moved.y * transform.up - moved.x * transform.right);
+            if (now.fingers >= 2 && now.Span > 0f)
+                Distance *= m_Last.Span / now.Span;
+        }
+
+        private void Steer(in PointerFrame now, float seconds)
+        {
+            Vector2 stick = now.stick.magnitude < k_DeadZone ? Vector2.zero : Vector2.ClampMagnitude(now.stick, 1f);
+            m_Yaw += k_DegreesPerSecond * seconds * stick.x;
+            Pitch += k_DegreesPerSecond * seconds * stick.y;
+            if (Mathf.Abs(now.triggers) > k_DeadZone)
+                Distance *= Mathf.Exp(-k_ZoomPerSecond * seconds * now.triggers);
         }
 
         private void LateUpdate()

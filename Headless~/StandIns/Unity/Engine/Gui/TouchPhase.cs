@@ -1,0 +1,10 @@
+namespace UnityEngine;
+
+public enum TouchPhase
+{
+    Began,
+    Moved,
+    Stationary,
+    Ended,
+    Canceled,
+}

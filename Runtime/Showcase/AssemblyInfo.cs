@@ -1,0 +1,4 @@
+using System.Runtime.CompilerServices;
+
+[assembly: InternalsVisibleTo("Alate.Tests")]
+[assembly: InternalsVisibleTo("Alate.Headless.Tests")]
