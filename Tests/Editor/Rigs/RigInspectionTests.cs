@@ -79,6 +79,17 @@ namespace Alate.Editor.Tests
         }
 
         [Test]
+        public void MassLegend_NamesTheHeaviestJoint_AndOthersTheirEnds()
+        {
+            RigInspection seen = Inspect();
+            string most = System.FormattableString.Invariant($"{100f * seen.masses.Max():0.#} % of the mass");
+
+            Assert.That(RigColouring.Legend(seen, RigColourMode.JointMass, WingParameters.Default), Is.EqualTo(("0", most)));
+            Assert.That(RigColouring.Legend(seen, RigColourMode.JointWeight, WingParameters.Default), Is.EqualTo(("0", "1")));
+            Assert.That(most, Is.Not.EqualTo("0 % of the mass"));
+        }
+
+        [Test]
         public void MassColours_ReachTheirEnd_AtTheHeaviestJoint()
         {
             RigInspection seen = Inspect();

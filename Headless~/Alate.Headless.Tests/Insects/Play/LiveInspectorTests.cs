@@ -38,6 +38,8 @@ namespace Alate.Tests.Play
             Assert.That(page.Control("Flap Range").Value, Does.EndWith("°"));
             Assert.That(page.Control("Detail").Value, Is.EqualTo("Full"));
             Assert.That(page.Control("Resets").Value, Is.EqualTo("0"));
+            Assert.That(LiveNumbers.Substeps(insect), Is.EqualTo($"{insect.Read(0).Substeps} in the last step"));
+            Assert.That(LiveNumbers.Frequency(insect), Is.EqualTo("8.8 Hz"));
             Assert.That(page.Control("Mean Lift").Value, Does.Match(@"^-?\d\.\d\d of the weight$"));
             Assert.That(page.Controls.Count(c => c.Kind == ControlKind.Area), Is.GreaterThanOrEqualTo(6), "nothing was drawn");
         }

@@ -165,6 +165,37 @@ namespace Alate.Tests.Flight
             bool Climbs(FlightCommand now) => now.velocity.y > 0.6f * flyer.situation.limits.MostClimb;
         }
 
+        [Test]
+        public void ACourseIntoTheSlope_IsTurnedToItsSide_ByWhichTheInsectComes([Values(-0.8f, -0.3f, 0.3f, 0.8f)] float aside)
+        {
+            // Down a slope of 40° lies x; the line rises by 0.45 of its length, and keeps 0.3 of that from the surface.
+            float slope = math.radians(40f), most = (0.45f * math.cos(slope) - 0.3f) / math.sin(slope);
+            var spot = new PerchSpot { normal = new float3(math.sin(slope), math.cos(slope), 0f), heading = float.NaN };
+            float3 course = math.normalize(new float3(1f, 0f, aside));
+            var flyer = new PointFlyer();
+            flyer.situation.position = -30f * course + new float3(0f, 30f, 0f);
+            flyer.situation.velocity = flyer.situation.referenceVelocity = 0.6f * course;
+            flyer.situation.heading = math.atan2(course.x, course.z);
+            FlightCommand command = new Landing(spot, k_Stand).Next(flyer.situation);
+
+            var turned = new float2(math.sin(command.heading), math.cos(command.heading));
+            Assert.That(turned.x, Is.EqualTo(most).Within(0.01f), "as far down as there is room beside the slope");
+            Assert.That(math.sign(turned.y), Is.EqualTo(math.sign(aside)));
+        }
+
+        [Test]
+        public void FromFarAway_ItComesAtSeventyHundredthsOfItsTopSpeed()
+        {
+            var spot = new PerchSpot { normal = new float3(0f, 1f, 0f), heading = 0f };
+            var flyer = new PointFlyer();
+            flyer.situation.position = new float3(0f, 20f, -300f);
+            var landing = new Landing(spot, k_Stand);
+            for (int step = 0; step < 400; step++)
+                flyer.Fly(landing.Next(flyer.situation));
+
+            Assert.That(math.length(flyer.situation.velocity), Is.EqualTo(0.7f * flyer.situation.limits.TopSpeed).Within(3).Percent);
+        }
+
         private static PerchSpot RandomSpot(ref Random random)
         {
             float slope = math.radians(random.NextFloat(0f, 45f)), way = random.NextFloat(0f, 2f * math.PI);
