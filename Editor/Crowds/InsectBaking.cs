@@ -84,7 +84,8 @@ namespace Alate.Editor
                 AssetDatabase.AddObjectToAsset(size.mesh, free);
             foreach (Material material in asset.Materials)
                 AssetDatabase.AddObjectToAsset(material, free);
-            AssetDatabase.SaveAssets();
+            EditorUtility.SetDirty(asset);
+            AssetDatabase.SaveAssetIfDirty(asset);
             Made = null;
             Preview = null;
             return asset;

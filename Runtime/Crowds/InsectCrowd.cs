@@ -183,7 +183,7 @@ namespace Alate.Crowds
             for (int size = 0; size < CrowdJob.MaxSizes; size++)
                 DrawnCount += m_Buffers.counts[size];
             if (DrawnCount > 0)
-                m_Batches.Draw(m_Insect, m_Buffers, new Bounds(Vector3.zero, Vector3.one * float.MaxValue), gameObject.layer, m_Shadows);
+                m_Batches.Draw(m_Insect, m_Buffers, m_Buffers.Bounds, gameObject.layer, m_Shadows);
         }
 
         private bool Prepare()
@@ -223,6 +223,7 @@ namespace Alate.Crowds
                 rows = m_Buffers.rows,
                 nextRows = m_Buffers.nextRows,
                 tints = m_Buffers.tints,
+                corners = m_Buffers.corners,
                 hidden = m_Buffers.hidden,
                 hiddenCount = m_Twins.ShownCount,
                 nearest = m_Buffers.nearest,

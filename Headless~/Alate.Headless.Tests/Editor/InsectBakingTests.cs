@@ -53,6 +53,25 @@ public sealed class InsectBakingTests
     }
 
     [Test]
+    public void Saved_NothingElseOfTheProjectIsWritten_AndTheFileIsBinary()
+    {
+        WingPreset other = ScriptableObject.CreateInstance<WingPreset>();
+        try
+        {
+            EditorUtility.SetDirty(other);
+            m_Baking.Bake(m_Insect, ["rest"], 24);
+            BakedInsect saved = m_Baking.Save("Assets/Firefly Baked.asset");
+
+            Assert.That((EditorUtility.IsDirty(other), EditorUtility.IsDirty(saved)), Is.EqualTo((true, false)));
+            Assert.That(typeof(BakedInsect).IsDefined(typeof(PreferBinarySerialization), false), Is.True);
+        }
+        finally
+        {
+            Object.DestroyImmediate(other);
+        }
+    }
+
+    [Test]
     public void Saved_OneAssetHoldsAllParts_AndNoneIsWrittenOver()
     {
         const string k_Path = "Assets/Firefly Baked.asset";

@@ -6,8 +6,9 @@ namespace Alate.Crowds
 {
     /// <summary>
     /// A baked insect as crowds draw it: a texture with its loops, meshes of two or three sizes, and materials. Made from an
-    /// <see cref="InsectBake"/>.
+    /// <see cref="InsectBake"/>. Its file is binary, whatever the project's asset serialization.
     /// </summary>
+    [PreferBinarySerialization]
     public sealed class BakedInsect : ScriptableObject
     {
         [SerializeField] private Texture2D m_Texture;

@@ -1,6 +1,7 @@
 using System;
 using Unity.Collections;
 using Unity.Mathematics;
+using UnityEngine;
 
 namespace Alate.Crowds
 {
@@ -16,6 +17,7 @@ namespace Alate.Crowds
         public NativeArray<float4> rows, nextRows, tints;
         public NativeArray<int> counts = new NativeArray<int>(CrowdJob.MaxSizes, Allocator.Persistent);
         public NativeArray<float4> planes = new NativeArray<float4>(6, Allocator.Persistent);
+        public NativeArray<float3> corners = new NativeArray<float3>(2, Allocator.Persistent);
         public NativeArray<LoopRows> loops;
         public NativeArray<int> hidden = new NativeArray<int>(CrowdTwins.MaxCount, Allocator.Persistent);
         public NativeArray<int> nearest;
@@ -44,6 +46,17 @@ namespace Alate.Crowds
             }
         }
 
+        /// <summary>Box around all that is drawn, world units.</summary>
+        public Bounds Bounds
+        {
+            get
+            {
+                var box = new Bounds();
+                box.SetMinMax(corners[0], corners[1]);
+                return box;
+            }
+        }
+
         /// <summary>Frees everything.</summary>
         public void Dispose()
         {
@@ -55,6 +68,7 @@ namespace Alate.Crowds
             tints.Dispose();
             counts.Dispose();
             planes.Dispose();
+            corners.Dispose();
             loops.Dispose();
             hidden.Dispose();
             nearest.Dispose();

@@ -55,6 +55,9 @@ namespace Alate.Crowds
         public NativeArray<float4> nextRows;
         public NativeArray<float4> tints;
 
+        /// <summary>Lower and upper corner of a box around all that is drawn, world units; both 0 where nothing is.</summary>
+        public NativeArray<float3> corners;
+
         /// <summary>Insects in sight that are nearest to the camera, the nearest first; as many as there is room for, or −1.</summary>
         public NativeArray<int> nearest;
         public NativeArray<float> nearestDistances;
@@ -77,6 +80,7 @@ namespace Alate.Crowds
             JobFields.AtLeast(rows.Length, poses.Length, "CrowdJob.rows");
             JobFields.AtLeast(nextRows.Length, poses.Length, "CrowdJob.nextRows");
             JobFields.AtLeast(tints.Length, poses.Length, "CrowdJob.tints");
+            JobFields.AtLeast(corners.Length, 2, "CrowdJob.corners");
             JobFields.AtLeast(nearestDistances.Length, nearest.Length, "CrowdJob.nearestDistances");
         }
 
@@ -120,13 +124,25 @@ namespace Alate.Crowds
                 next[size] = size == 0 ? 0 : next[size - 1] + found[size - 1];
             }
 
+            float3 lower = float.PositiveInfinity, upper = float.NegativeInfinity;
             for (int insect = 0; insect < poses.Length; insect++)
             {
                 byte size = sizes[insect];
-                if (size != k_Unseen)
-                    Write(poses[insect], next[size]++);
+                if (size == k_Unseen)
+                    continue;
+                CrowdPose pose = poses[insect];
+                Write(pose, next[size]++);
+                float reach = radius * math.abs(pose.scale);
+                lower = math.min(lower, MiddleOf(pose) - reach);
+                upper = math.max(upper, MiddleOf(pose) + reach);
             }
+
+            bool isEmpty = math.all(found == 0);
+            corners[0] = isEmpty ? default : lower;
+            corners[1] = isEmpty ? default : upper;
         }
+
+        private float3 MiddleOf(in CrowdPose pose) => pose.position + math.rotate(pose.rotation, centre * pose.scale);
 
         // The last one for a number that no loop has, below 0 too.
         private LoopRows LoopOf(int loop) => loops[(int)math.min((uint)loop, (uint)loops.Length - 1u)];
@@ -153,7 +169,7 @@ namespace Alate.Crowds
         private byte SizeOf(in CrowdPose pose)
         {
             float reach = radius * math.abs(pose.scale);
-            float3 middle = pose.position + math.rotate(pose.rotation, centre * pose.scale);
+            float3 middle = MiddleOf(pose);
             if (!(reach > 0f && math.all(math.isfinite(middle))))
                 return k_Unseen;
             if (!culls)

@@ -84,6 +84,46 @@ namespace Alate.Tests.Crowds
         }
 
         [Test]
+        public void TheBox_IsTheSmallestAroundTheSpheresOfAllThatAreDrawn()
+        {
+            var random = new Random(11u);
+            for (int trial = 0; trial < 20; trial++)
+            {
+                CrowdPose[] poses = Enumerable.Range(0, 12).Select(_ => Somewhere(ref random)).ToArray();
+                CrowdJob job = Job(poses, 4, 2, 7);
+                job.planes[0] = new float4(1f, 0f, 0f, -0.5f);
+                Run(job);
+
+                float3 lower = float.MaxValue, upper = float.MinValue;
+                int drawn = 0;
+                for (int size = 0; size < CrowdJob.MaxSizes; size++)
+                    drawn += job.counts[size];
+                for (int k = 0; k < drawn; k++)
+                {
+                    float4x4 matrix = job.matrices[k];
+                    float reach = job.radius * math.length(matrix.c1.xyz);
+                    float3 middle = math.transform(matrix, job.centre);
+                    lower = math.min(lower, middle - reach);
+                    upper = math.max(upper, middle + reach);
+                }
+
+                Assert.That(drawn, Is.InRange(1, 10));
+                Assert.That(math.distance(job.corners[0], lower), Is.LessThan(1e-4f));
+                Assert.That(math.distance(job.corners[1], upper), Is.LessThan(1e-4f));
+            }
+        }
+
+        [Test]
+        public void TheBoxOfNothing_IsAPoint()
+        {
+            CrowdPose pose = CrowdPose.At(new float3(3f, 0f, 0f), quaternion.identity);
+            pose.scale = 0f;
+            CrowdJob job = Run(Job(new[] { pose }));
+
+            Assert.That((job.corners[0], job.corners[1]), Is.EqualTo((float3.zero, float3.zero)));
+        }
+
+        [Test]
         public void Matrices_ScaleTurnAndMove()
         {
             var random = new Random(5u);
@@ -237,6 +277,7 @@ namespace Alate.Tests.Crowds
                 ("matrices", (ref CrowdJob job) => job.matrices = Keep(new NativeArray<float4x4>(1, Allocator.Persistent))),
                 ("rows", (ref CrowdJob job) => job.rows = Keep(new NativeArray<float4>(1, Allocator.Persistent))),
                 ("nextRows", (ref CrowdJob job) => job.nextRows = Keep(new NativeArray<float4>(1, Allocator.Persistent))),
+                ("corners", (ref CrowdJob job) => job.corners = Keep(new NativeArray<float3>(1, Allocator.Persistent))),
                 ("nearestDistances", (ref CrowdJob job) =>
                     job.nearestDistances = Keep(new NativeArray<float>(job.nearest.Length - 1, Allocator.Persistent))),
                 ("radius", (ref CrowdJob job) => job.radius = -1f),
@@ -271,6 +312,7 @@ namespace Alate.Tests.Crowds
             rows = Keep(new NativeArray<float4>(poses.Length, Allocator.Persistent)),
             nextRows = Keep(new NativeArray<float4>(poses.Length, Allocator.Persistent)),
             tints = Keep(new NativeArray<float4>(poses.Length, Allocator.Persistent)),
+            corners = Keep(new NativeArray<float3>(2, Allocator.Persistent)),
             nearest = Keep(new NativeArray<int>(ranked, Allocator.Persistent)),
             nearestDistances = Keep(new NativeArray<float>(ranked, Allocator.Persistent)),
         };

@@ -8,13 +8,8 @@ public sealed class AssetDatabase
 {
     public static void CreateAsset(Object asset, string path) => ProjectAssets.Add(path, asset);
     public static string GenerateUniqueAssetPath(string path) => ProjectAssets.FreePath(path);
-    public static void SaveAssets()
-    {
-    }
-
-    public static void SaveAssetIfDirty(Object obj)
-    {
-    }
+    public static void SaveAssets() => EditorUtility.ForgetChanges(null);
+    public static void SaveAssetIfDirty(Object obj) => EditorUtility.ForgetChanges(obj);
 
     public static void Refresh() => throw Absent.Editor;
     public static string GetAssetPath(Object assetObject) => ProjectAssets.PathOf(assetObject);

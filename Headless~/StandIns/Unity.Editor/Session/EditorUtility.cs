@@ -37,6 +37,16 @@ public class EditorUtility
     public static string SaveFolderPanel(string title, string folder, string defaultName) => throw Absent.Editor;
     public static bool IsPersistent(Object target) => AssetDatabase.Contains(target);
     public static bool IsDirty(Object target) => s_Dirty.Contains(target);
+
+    /// <summary>Takes an object, or all for null, for saved.</summary>
+    internal static void ForgetChanges(Object target)
+    {
+        if (target is null)
+            s_Dirty.Clear();
+        else
+            s_Dirty.Remove(target);
+    }
+
     public static void CopySerialized(Object source, Object dest)
     {
         dest.name = source.name;

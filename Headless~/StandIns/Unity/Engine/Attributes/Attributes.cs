@@ -40,3 +40,6 @@ public sealed class CreateAssetMenuAttribute : Attribute
     public string fileName { get; set; }
     public int order { get; set; }
 }
+
+[AttributeUsage(AttributeTargets.Class)]
+public sealed class PreferBinarySerialization : Attribute;
