@@ -13,6 +13,7 @@ namespace Alate.Crowds
     /// what the camera does not see, and draws each insect with the mesh for its height on the screen. The nearest few can be live insects.
     /// </summary>
     [AddComponentMenu("Alate/Insect Crowd")]
+    [DefaultExecutionOrder(ExecutionOrders.Crowd)]
     [DisallowMultipleComponent]
     public sealed class InsectCrowd : MonoBehaviour
     {
@@ -176,10 +177,10 @@ namespace Alate.Crowds
 
         private void LateUpdate()
         {
-            if (m_Buffers == null)
-                return;
             m_Pending.Complete();
             DrawnCount = 0;
+            if (m_Buffers == null || m_Insect == null)
+                return;
             for (int size = 0; size < CrowdJob.MaxSizes; size++)
                 DrawnCount += m_Buffers.counts[size];
             if (DrawnCount > 0)
@@ -188,9 +189,14 @@ namespace Alate.Crowds
 
         private bool Prepare()
         {
-            if (m_Buffers != null)
-                return true;
+            m_Pending.Complete();
             string problem = Problem;
+            if (m_Buffers != null && problem == null && m_Buffers.Fits(m_Count, m_Insect))
+                return true;
+
+            // The inspector and undo write fields at any time, and an asset can be deleted or baked again while it is drawn.
+            if (m_Buffers != null)
+                Free();
             if (problem != null || !isActiveAndEnabled)
             {
                 if (problem != null && !m_Told)
@@ -201,7 +207,7 @@ namespace Alate.Crowds
 
             m_Buffers = new CrowdBuffers(m_Count, 2 * CrowdTwins.MaxCount, m_Insect);
             m_Batches = new CrowdBatches();
-            m_Twins = new CrowdTwins();
+            m_Twins = new CrowdTwins(gameObject.scene);
             return true;
         }
 

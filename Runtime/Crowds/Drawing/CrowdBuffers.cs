@@ -23,6 +23,8 @@ namespace Alate.Crowds
         public NativeArray<int> nearest;
         public NativeArray<float> nearestDistances;
 
+        private readonly BakedInsect m_Insect;
+
         /// <param name="count">Insects.</param>
         /// <param name="ranked">How many of the nearest are looked for.</param>
         /// <param name="insect">What is drawn.</param>
@@ -38,12 +40,26 @@ namespace Alate.Crowds
             rows = new NativeArray<float4>(count, Allocator.Persistent);
             nextRows = new NativeArray<float4>(count, Allocator.Persistent);
             tints = new NativeArray<float4>(count, Allocator.Persistent);
+            m_Insect = insect;
             loops = new NativeArray<LoopRows>(insect.Loops.Count, Allocator.Persistent);
-            for (int loop = 0; loop < loops.Length; loop++)
+            ReadLoops();
+        }
+
+        /// <summary>Returns true where the memory is that of a crowd as it is now; takes over loops that were baked again.</summary>
+        /// <param name="count">Insects.</param>
+        /// <param name="insect">What is drawn.</param>
+        public bool Fits(int count, BakedInsect insect)
+        {
+            if (insect == null || !ReferenceEquals(insect, m_Insect) || poses.Length != count || insect.Loops.Count == 0)
+                return false;
+            if (loops.Length != insect.Loops.Count)
             {
-                CrowdLoop known = insect.Loops[loop];
-                loops[loop] = new LoopRows { frequency = known.frequency, first = known.firstFrame, count = known.frames };
+                loops.Dispose();
+                loops = new NativeArray<LoopRows>(insect.Loops.Count, Allocator.Persistent);
             }
+
+            ReadLoops();
+            return true;
         }
 
         /// <summary>Box around all that is drawn, world units.</summary>
@@ -73,6 +89,15 @@ namespace Alate.Crowds
             hidden.Dispose();
             nearest.Dispose();
             nearestDistances.Dispose();
+        }
+
+        private void ReadLoops()
+        {
+            for (int loop = 0; loop < loops.Length; loop++)
+            {
+                CrowdLoop known = m_Insect.Loops[loop];
+                loops[loop] = new LoopRows { frequency = known.frequency, first = known.firstFrame, count = known.frames };
+            }
         }
     }
 }

@@ -2,6 +2,7 @@ using Alate.Flight;
 using Unity.Collections;
 using Unity.Mathematics;
 using UnityEngine;
+using UnityEngine.SceneManagement;
 
 namespace Alate.Crowds
 {
@@ -17,10 +18,12 @@ namespace Alate.Crowds
         private float m_Beats;
 
         /// <param name="prefab">What it is a copy of.</param>
-        public CrowdTwin(InsectWings prefab)
+        /// <param name="home">Scene of the crowd, with which the copy goes.</param>
+        public CrowdTwin(InsectWings prefab, Scene home)
         {
             Wings = Object.Instantiate(prefab);
-            Wings.gameObject.hideFlags = HideFlags.DontSave;
+            if (home.IsValid() && Wings.gameObject.scene != home)
+                SceneManager.MoveGameObjectToScene(Wings.gameObject, home);
             m_Renderers = Wings.GetComponentsInChildren<Renderer>(true);
             Wings.UpdateMode = WingUpdateMode.Update;
             Wings.Motion.source = VelocitySource.Script;
@@ -108,7 +111,7 @@ namespace Alate.Crowds
         public void Destroy()
         {
             if (Wings != null)
-                Object.Destroy(Wings.gameObject);
+                ObjectEnd.Destroy(Wings.gameObject);
         }
 
         private static bool CanShow(in CrowdPose pose) =>

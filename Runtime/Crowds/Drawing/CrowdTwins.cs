@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using Unity.Collections;
 using Unity.Mathematics;
+using UnityEngine.SceneManagement;
 
 namespace Alate.Crowds
 {
@@ -24,6 +25,13 @@ namespace Alate.Crowds
         private const int k_KeptRanks = 16;
 
         private readonly List<CrowdTwin> m_Twins = new List<CrowdTwin>();
+        private readonly Scene m_Home;
+
+        /// <param name="home">Scene of the crowd.</param>
+        public CrowdTwins(Scene home)
+        {
+            m_Home = home;
+        }
 
         /// <summary>Live insects that are seen.</summary>
         public int ShownCount { get; private set; }
@@ -45,7 +53,7 @@ namespace Alate.Crowds
         {
             Release(prefab == null ? 0 : count);
             while (prefab != null && m_Twins.Count < count)
-                m_Twins.Add(new CrowdTwin(prefab));
+                m_Twins.Add(new CrowdTwin(prefab, m_Home));
             ShownCount = 0;
             for (int k = 0; k < m_Twins.Count; k++)
             {

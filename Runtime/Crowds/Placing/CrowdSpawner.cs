@@ -12,6 +12,7 @@ namespace Alate.Crowds
     /// </summary>
     [AddComponentMenu("Alate/Crowd Spawner")]
     [RequireComponent(typeof(InsectCrowd))]
+    [DefaultExecutionOrder(ExecutionOrders.CrowdPoses)]
     [DisallowMultipleComponent]
     public sealed class CrowdSpawner : MonoBehaviour
     {

@@ -12,6 +12,7 @@ namespace Alate.Crowds
     /// </summary>
     [AddComponentMenu("Alate/Flock Crowd")]
     [RequireComponent(typeof(InsectCrowd))]
+    [DefaultExecutionOrder(ExecutionOrders.CrowdPoses)]
     [DisallowMultipleComponent]
     public sealed class FlockCrowd : MonoBehaviour
     {
