@@ -51,6 +51,14 @@ public sealed class WingShaderCompileTests
     [Category("Long")]
     public void InTheBuiltInPipeline_EveryPassCompiles_WithEveryKeywordSet() => CompileInTheBuiltInPipeline(KeywordSets.Of);
 
+    [TestCase("BuiltIn/WingInput.cginc", "sampler2D_float _BakeMap;")]
+    [TestCase("Universal/WingInput.hlsl", "TEXTURE2D_FLOAT(_BakeMap);")]
+    public void BakedPlaces_AreReadWithAllTheirBits_OnPhonesToo(string file, string declared)
+    {
+        string text = File.ReadAllText(Path.Combine(Root, "Runtime", "Catalogue", "Materials", file));
+        Assert.That(text.Split('\n').Where(line => Regex.IsMatch(line, @"^\S+[ (]_BakeMap\b")), Is.EqualTo(new[] { declared }));
+    }
+
     [Test]
     public void EveryTwoKeywords_ThatMayMeet_Do()
     {

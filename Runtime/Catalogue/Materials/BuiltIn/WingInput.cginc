@@ -12,7 +12,8 @@ float4 _MainTex_ST;
 half4 _Color;
 half _VertexColours, _Through, _Gloss, _Shine, _Cull, _Translucent;
 
-sampler2D _BakeMap;
+// On phones a texture is read with half the bits unless it is declared so.
+sampler2D_float _BakeMap;
 float4 _BakeMap_TexelSize;
 #define ALATE_BAKE_SAMPLE(coordinates) tex2Dlod(_BakeMap, float4(coordinates, 0, 0)).xyz
 #include "../WingBaked.hlsl"

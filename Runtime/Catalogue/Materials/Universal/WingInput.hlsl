@@ -24,7 +24,8 @@ CBUFFER_END
 
 TEXTURE2D(_MainTex);
 SAMPLER(sampler_MainTex);
-TEXTURE2D(_BakeMap);
+// On phones a texture is read with half the bits unless it is declared so.
+TEXTURE2D_FLOAT(_BakeMap);
 SAMPLER(sampler_BakeMap);
 #define ALATE_BAKE_SAMPLE(coordinates) SAMPLE_TEXTURE2D_LOD(_BakeMap, sampler_BakeMap, coordinates, 0).xyz
 #include "../WingBaked.hlsl"

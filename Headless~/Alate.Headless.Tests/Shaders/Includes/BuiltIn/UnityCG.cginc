@@ -5,6 +5,7 @@
 #include "../Instancing.hlsl"
 
 #define sampler2D Texture2D
+#define sampler2D_float Texture2D
 SamplerState standin_sampler;
 #define tex2D(name, uv) name.Sample(standin_sampler, uv)
 #define tex2Dlod(name, place) name.SampleLevel(standin_sampler, (place).xy, (place).w)

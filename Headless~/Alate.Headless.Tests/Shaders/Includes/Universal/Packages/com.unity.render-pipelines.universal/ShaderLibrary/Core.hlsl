@@ -29,6 +29,7 @@
 #define CBUFFER_START(name) cbuffer name {
 #define CBUFFER_END };
 #define TEXTURE2D(name) Texture2D name
+#define TEXTURE2D_FLOAT(name) Texture2D name
 #define SAMPLER(name) SamplerState name
 #define SAMPLE_TEXTURE2D(name, sampled, uv) name.Sample(sampled, uv)
 #define SAMPLE_TEXTURE2D_LOD(name, sampled, uv, level) name.SampleLevel(sampled, uv, level)
