@@ -15,6 +15,7 @@ namespace Alate.Editor
             public const string Title = "Bake Insect";
             public const string Pick = "Pick an insect: an object of the scene or a prefab with the component Insect Wings.";
             public const string Bake = "Bake";
+            public const string Progress = "Flies '{0}' until each beat is like the one before.";
             public const string Save = "Save...";
             public const string SaveMessage = "One asset with the texture, the meshes and the materials.";
 
@@ -73,8 +74,24 @@ namespace Alate.Editor
             }
 
             if (GUILayout.Button(Content.Bake))
-                m_Baking.Bake(m_Insect, m_Clips, m_Frames);
+                Bake();
             ShowResult();
+        }
+
+        // The bar is a window of its own and ends the groups of this one: what follows in OnGUI would find none.
+        private void Bake()
+        {
+            try
+            {
+                m_Baking.Bake(m_Insect, m_Clips, m_Frames, (clip, share) =>
+                    !EditorUtility.DisplayCancelableProgressBar(Content.Title, string.Format(Content.Progress, clip), share));
+            }
+            finally
+            {
+                EditorUtility.ClearProgressBar();
+            }
+
+            GUIUtility.ExitGUI();
         }
 
         private void ShowClips()
@@ -101,6 +118,12 @@ namespace Alate.Editor
             m_Prefab = EditorGUILayout.Toggle(Content.Prefab, m_Prefab);
             if (!GUILayout.Button(Content.Save))
                 return;
+            SaveAs();
+            GUIUtility.ExitGUI();
+        }
+
+        private void SaveAs()
+        {
             string path = AssetPath.Ask(Content.Title, AssetPath.FileName(m_Insect.name + " Baked"), Content.SaveMessage);
             if (!string.IsNullOrEmpty(path) && m_Baking.Save(path) is BakedInsect saved)
                 ProjectWindowUtil.ShowCreatedAsset(m_Prefab ? m_Baking.SavePrefab(saved, m_Insect) : (Object)saved);

@@ -33,18 +33,23 @@ namespace Alate.Editor
         /// <param name="insect">The insect.</param>
         /// <param name="clips">Names of motions.</param>
         /// <param name="frames">Frames of each loop.</param>
-        public void Bake(InsectWings insect, IEnumerable<string> clips, int frames)
+        /// <param name="proceeds">Asked with a clip's name and the share that is done; false stops, and nothing is made.</param>
+        public void Bake(InsectWings insect, IEnumerable<string> clips, int frames, Func<string, float, bool> proceeds = null)
         {
             Dispose();
             try
             {
-                m_Bake = InsectBaker.Bake(insect, clips.Select(BakeMotion.Find).ToList(), new BakeSettings(frames));
+                m_Bake = InsectBaker.Bake(insect, clips.Select(BakeMotion.Find).ToList(), new BakeSettings(frames), proceeds);
                 Made = BakedInsect.Create(m_Bake);
                 Preview = new LoopPreview(m_Bake);
             }
             catch (BakeException problem)
             {
                 Problem = problem.Message;
+            }
+            catch (OperationCanceledException)
+            {
+                Dispose();
             }
         }
 

@@ -64,6 +64,24 @@ public sealed class BakeWindowTests
     }
 
     [Test]
+    public void ABake_ShowsItsProgress_AndCanBeCancelled([Values] bool isCancelled)
+    {
+        ShownProgress.Begin();
+        ShownProgress.CancelAfter = isCancelled ? 3 : int.MaxValue;
+        DrawnInspector.Press(m_Gui, "rest");
+        DrawnInspector.Press(m_Gui, "Bake");
+
+        Assert.That(ShownProgress.IsOpen, Is.False);
+        Assert.That(ShownProgress.Shown.Select(shown => shown.Share), Is.Ordered.And.All.InRange(0f, 1f));
+        Assert.That(ShownProgress.Shown.Select(shown => shown.Info).Distinct().Count(), Is.EqualTo(isCancelled ? 1 : 2), "a clip each");
+        DrawnInspector page = DrawnInspector.Of(m_Gui);
+        Assert.That(page.Buttons.Contains("Save..."), Is.EqualTo(!isCancelled));
+        Assert.That(page.HelpBoxes.Count(), Is.EqualTo(isCancelled ? 0 : 1));
+        if (isCancelled)
+            Assert.That(ShownProgress.Shown, Has.Count.EqualTo(4));
+    }
+
+    [Test]
     public void ABake_HasTheClipsAndFramesThatWereChosen_MovesInItsPicture_AndIsSavedWithAPrefab()
     {
         string first = BakeMotion.Names[0];

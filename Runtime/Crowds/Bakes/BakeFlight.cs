@@ -62,12 +62,14 @@ namespace Alate.Crowds
         private float Frequency => m_World.Read(m_Handles[0]).Frequency;
 
         /// <summary>Records one loop.</summary>
+        /// <param name="settings">How finely.</param>
+        /// <param name="report">Gets the share that is done, 0 to 1, once a beat; what it throws ends the recording.</param>
         /// <exception cref="BakeException">No beat is like the one before.</exception>
-        public BakedClip Record(in BakeSettings settings)
+        public BakedClip Record(in BakeSettings settings, Action<float> report = null)
         {
             int frames = settings.Frames, steps = k_Fineness * frames;
             var flown = new BakedFrame[steps + 1];
-            flown[0] = Settle(steps);
+            flown[0] = Settle(steps, report);
             for (int step = 1; step <= steps; step++)
             {
                 Advance(steps);
@@ -140,11 +142,13 @@ namespace Alate.Crowds
         }
 
         // Whole beats, in as many steps each as the recorded one.
-        private BakedFrame Settle(int steps)
+        private BakedFrame Settle(int steps, Action<float> report)
         {
             BakedFrame before = null;
             for (int beat = 1; ; beat++)
             {
+                // Most wings settle long before the last beat that they may have.
+                report?.Invoke(1f - (float)k_LeastBeats / (k_LeastBeats + beat));
                 for (int step = 0; step < steps; step++)
                     Advance(steps);
                 BakedFrame now = Capture();

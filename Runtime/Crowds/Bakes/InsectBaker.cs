@@ -16,12 +16,17 @@ namespace Alate.Crowds
         /// <param name="insect">An insect whose wings could live; it need not play, and is not changed.</param>
         /// <param name="motions">What to fly, one clip each, in order.</param>
         /// <param name="settings">How finely.</param>
+        /// <param name="proceeds">
+        /// Asked once a beat, with the clip's name and the share of the work that is done, 0 to 1: false stops the bake. Null never stops.
+        /// </param>
+        /// <exception cref="OperationCanceledException">The bake was stopped.</exception>
         /// <exception cref="ArgumentNullException">There is no insect, or there are no motions.</exception>
         /// <exception cref="BakeException">
         /// The insect has a problem or more than <see cref="MaxVertices"/> vertices, two clips have one name, a motion is out of range, a
         /// clip does not loop, or trims for a motion that is flown are missing; the message is one line.
         /// </exception>
-        public static InsectBake Bake(InsectWings insect, IReadOnlyList<BakeMotion> motions, in BakeSettings settings)
+        public static InsectBake Bake(
+            InsectWings insect, IReadOnlyList<BakeMotion> motions, in BakeSettings settings, Func<string, float, bool> proceeds = null)
         {
             if (insect == null)
                 throw new ArgumentNullException(nameof(insect));
@@ -50,7 +55,8 @@ namespace Alate.Crowds
             foreach (BakeMotion motion in motions)
             {
                 using var flight = new BakeFlight(insect, drawn.Wings, wings, surface, motion, flown?.Fly(motion), metresPerUnit);
-                clips.Add(flight.Record(chosen));
+                int before = clips.Count;
+                clips.Add(flight.Record(chosen, share => Check(proceeds, motion.Name, (before + share) / motions.Count)));
             }
 
             return new InsectBake
@@ -63,6 +69,12 @@ namespace Alate.Crowds
                 WingLength = LongestOf(wings),
                 JointCount = joints,
             };
+        }
+
+        private static void Check(Func<string, float, bool> proceeds, string clip, float share)
+        {
+            if (proceeds != null && !proceeds(clip, share))
+                throw new OperationCanceledException($"The bake was stopped at clip '{clip}'.");
         }
 
         private static void Check(IReadOnlyList<BakeMotion> motions)

@@ -19,8 +19,8 @@ public class EditorUtility
     public static bool DisplayDialog(string title, string message, string ok) => AnsweredDialogs.Tell($"{title}: {message} [{ok}]");
     public static bool DisplayDialog(string title, string message, string ok, string cancel) => throw Absent.Editor;
     public static void DisplayProgressBar(string title, string info, float progress) => throw Absent.Editor;
-    public static bool DisplayCancelableProgressBar(string title, string info, float progress) => throw Absent.Editor;
-    public static void ClearProgressBar() => throw Absent.Editor;
+    public static bool DisplayCancelableProgressBar(string title, string info, float progress) => ShownProgress.Show(info, progress);
+    public static void ClearProgressBar() => ShownProgress.Clear();
     public static string SaveFilePanel(string title, string directory, string defaultName, string extension) =>
         AnsweredDialogs.Ask($"{title}: {directory}/{defaultName}.{extension}");
     public static string SaveFilePanelInProject(string title, string defaultName, string extension, string message) =>
