@@ -25,6 +25,7 @@ internal sealed class PlantedMutantTests
             public static void Assigned(out float a) { a = 16f; }
             public static readonly float Kept = Made();
             private static float Made() => 3f * 7f;
+            public static float Twin(float a) => 3f * a;
         }
         [TestFixture]
         public sealed class TinyTests
@@ -38,7 +39,13 @@ internal sealed class PlantedMutantTests
         [TestFixture]
         public sealed class UpBesideTests
         {
-            [Test] public void None() { }
+            public sealed class Case { public float asked; }
+            private static readonly Case[] s_Twins = { new Case { asked = 2f }, new Case() };
+            [TestCaseSource(nameof(s_Twins))] public void Twins(Case one)
+            {
+                if (one.asked > 0f)
+                    Assert.That(Tiny.Twin(one.asked), Is.EqualTo(6f));
+            }
         }
         [TestFixture]
         public sealed class ZLaterTests
@@ -88,6 +95,7 @@ internal sealed class PlantedMutantTests
     [TestCase(7, Outcome.Survived, "")]
     [TestCase(8, Outcome.NotReached, "")]
     [TestCase(13, Outcome.Found, "ZLaterTests.Kept")]
+    [TestCase(14, Outcome.Found, "UpBesideTests.Twins")]
     public void AMutant_FallsToTheTestThatAsks(int line, Outcome outcome, string test)
     {
         Verdict verdict = new Trial(m_Coverage, Worker).Of(Number(line));

@@ -102,7 +102,9 @@ internal sealed class Coverage
                 }
                 else if (report.Event == TestReport.Test)
                 {
-                    one.Tests[report.Name] = (report.Seconds, report.Hits.ToHashSet());
+                    // Cases of a source may share a name: what meets one of them is tried on all.
+                    (double seconds, HashSet<int> hits) = one.Tests.GetValueOrDefault(report.Name, (0, []));
+                    one.Tests[report.Name] = (seconds + report.Seconds, [.. hits, .. report.Hits]);
                 }
             }
         }
