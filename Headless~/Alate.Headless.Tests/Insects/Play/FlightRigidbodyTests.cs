@@ -41,6 +41,49 @@ namespace Alate.Tests.Play
         }
 
         [UnityTest]
+        public IEnumerator DampingOfTheRigidbody_IsNoPush_AndComesBackWithIt([Values(0f, 0.05f, 5f)] float damping)
+        {
+            Time.captureDeltaTime = Time.fixedDeltaTime;
+            InsectFlight flight = Hatch(), twin = Hatch();
+            Rigidbody body = AddBody(flight), undamped = AddBody(twin);
+            (body.drag, body.angularDrag) = (damping, damping);
+            (undamped.drag, undamped.angularDrag) = (0f, 0f);
+            twin.Velocity = flight.Velocity = new Vector3(0f, 0f, 0.6f);
+            for (int frame = 0; frame < 60; frame++)
+            {
+                yield return null;
+                // The physics damp the one step before the wings carry the body.
+                Assert.That((flight.Position - twin.Position).magnitude, Is.LessThan(0.02f), $"frame {frame}");
+            }
+
+            flight.enabled = false;
+            Assert.That((body.drag, body.angularDrag), Is.EqualTo((damping, damping)));
+        }
+
+        [UnityTest]
+        public IEnumerator FrozenAxes_AreNoPush_AndContactsAlongTheOthersAre()
+        {
+            Time.captureDeltaTime = Time.fixedDeltaTime;
+            Rigidbody body = Keep(new GameObject("body")).AddComponent<Rigidbody>();
+            var carried = new CarriedRigidbody(body);
+            foreach (RigidbodyConstraints frozen in new[]
+            {
+                RigidbodyConstraints.None, RigidbodyConstraints.FreezePositionX, RigidbodyConstraints.FreezePosition,
+                RigidbodyConstraints.FreezeRotationY, RigidbodyConstraints.FreezeAll,
+            })
+            {
+                body.constraints = frozen;
+                carried.Move(body.position + new Vector3(0.02f, 0.03f, -0.01f), Quaternion.Euler(1f, 2f, 3f) * body.rotation, 0.02f);
+                yield return Frames(1);
+                Assert.That((carried.Pushed.magnitude, carried.Spun.magnitude), Is.EqualTo((0f, 0f)).Using<(float, float)>(
+                    (one, other) => Mathf.Abs(one.Item1 - other.Item1) + Mathf.Abs(one.Item2 - other.Item2) < 1e-3f ? 0 : 1), $"{frozen}");
+
+                body.AddForce(new Vector3(0f, 0f, 0.5f), ForceMode.VelocityChange);
+                Assert.That(carried.Pushed.z, Is.EqualTo((frozen & RigidbodyConstraints.FreezePositionZ) == 0 ? 0.5f : 0f).Within(1e-3f));
+            }
+        }
+
+        [UnityTest]
         public IEnumerator APush_GoesIntoTheFlight_AndTheWingsTakeItOut()
         {
             InsectFlight flight = Hatch();

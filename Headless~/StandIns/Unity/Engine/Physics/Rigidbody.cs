@@ -21,6 +21,9 @@ public class Rigidbody : Component, IStateful
     public Vector3 angularVelocity { get; set; }
     public float maxAngularVelocity { get; set; } = 7f;
     public Vector3 centerOfMass { get; set; }
+    public float drag { get; set; }
+    public float angularDrag { get; set; } = 0.05f;
+    public RigidbodyConstraints constraints { get; set; }
     public Vector3 worldCenterOfMass => transform.TransformPoint(centerOfMass);
     public RigidbodyInterpolation interpolation { get; set; }
 
@@ -107,11 +110,20 @@ public class Rigidbody : Component, IStateful
         to.isKinematic = isKinematic;
         to.maxAngularVelocity = maxAngularVelocity;
         to.centerOfMass = centerOfMass;
+        to.drag = drag;
+        to.angularDrag = angularDrag;
+        to.constraints = constraints;
     }
 
     private protected override void Released() => s_All.Remove(this);
 
     private float Inertia => 0.4f * mass;
+
+    /// <summary>Motion without its frozen axes; the flags of Y and Z are those of X times 2 and 4.</summary>
+    private Vector3 Free(Vector3 motion, RigidbodyConstraints x) => new(
+        constraints.HasFlag(x) ? 0f : motion.x,
+        constraints.HasFlag((RigidbodyConstraints)(2 * (int)x)) ? 0f : motion.y,
+        constraints.HasFlag((RigidbodyConstraints)(4 * (int)x)) ? 0f : motion.z);
 
     private void Step(float step)
     {
@@ -125,6 +137,8 @@ public class Rigidbody : Component, IStateful
         {
             _velocity += (_force / mass + (useGravity ? Physics.gravity : Vector3.zero)) * step;
             angularVelocity = Vector3.ClampMagnitude(angularVelocity + _torque / Inertia * step, maxAngularVelocity);
+            _velocity = Free(_velocity * Mathf.Max(0f, 1f - drag * step), RigidbodyConstraints.FreezePositionX);
+            angularVelocity = Free(angularVelocity * Mathf.Max(0f, 1f - angularDrag * step), RigidbodyConstraints.FreezeRotationX);
             position += _velocity * step;
             rotation = Quaternion.AngleAxis(angularVelocity.magnitude * step * Mathf.Rad2Deg, angularVelocity) * rotation;
         }
@@ -133,6 +147,21 @@ public class Rigidbody : Component, IStateful
         _moveTo = null;
         _turnTo = null;
     }
+}
+
+[System.Flags]
+public enum RigidbodyConstraints
+{
+    None = 0,
+    FreezePositionX = 2,
+    FreezePositionY = 4,
+    FreezePositionZ = 8,
+    FreezeRotationX = 16,
+    FreezeRotationY = 32,
+    FreezeRotationZ = 64,
+    FreezePosition = 14,
+    FreezeRotation = 112,
+    FreezeAll = 126,
 }
 
 public enum ForceMode
