@@ -2,7 +2,6 @@ using System;
 using System.Collections;
 using System.Collections.Generic;
 using System.Linq;
-using System.Reflection;
 using System.Text.RegularExpressions;
 using Alate.Catalogue;
 using Alate.Crowds;
@@ -50,88 +49,6 @@ namespace Alate.Tests.Play.Headless
                 }
             }
         }
-
-        [UnityTest]
-        public IEnumerator ACountOfTheInspector_ActsWhilePlaying([Values(1, 5)] int count)
-        {
-            Scene = new CrowdScene("monarch", 3, "cruise");
-            for (int k = 0; k < 3; k++)
-                Scene.Place(k, CrowdPose.At(new float3(k, 0f, 0f), quaternion.identity));
-            yield return Frames(2);
-            Assert.That(Scene.Crowd.DrawnCount, Is.EqualTo(3));
-            Write("m_Count", count);
-            yield return Frames(2);
-            Assert.That((Scene.Crowd.Poses.Length, Scene.Crowd.DrawnCount), Is.EqualTo((count, 0)));
-            Scene.Place(count - 1, CrowdPose.At(default, quaternion.identity));
-            yield return Frames(2);
-            Assert.That(Scene.Crowd.DrawnCount, Is.EqualTo(1));
-        }
-
-        [UnityTest]
-        public IEnumerator AnAssetThatIsDeletedWhilePlaying_IsToldOnce_AndNothingIsDrawn()
-        {
-            Scene = new CrowdScene("monarch", 1, "cruise");
-            Scene.Place(0, CrowdPose.At(default, quaternion.identity));
-            yield return Frames(2);
-            LogAssert.Expect(LogType.Warning, "'crowd': No baked insect is assigned.");
-            BakedInsect gone = Object.Instantiate(Scene.Baked);
-            Scene.Crowd.Insect = gone;
-            yield return Frames(2);
-            Scene.Place(0, CrowdPose.At(default, quaternion.identity));
-            yield return Frames(2);
-            Assert.That(Scene.Crowd.DrawnCount, Is.EqualTo(1));
-            Object.DestroyImmediate(gone);
-            yield return Frames(5);
-            Assert.That((Scene.Crowd.DrawnCount, Scene.Crowd.Poses.IsCreated), Is.EqualTo((0, false)));
-            LogAssert.NoUnexpectedReceived();
-            Scene.Crowd.Insect = Scene.Baked;
-            Assert.That(Scene.Crowd.Poses.Length, Is.EqualTo(1));
-        }
-
-        [UnityTest]
-        public IEnumerator LoopsThatAreBakedAgain_ArePlayed_AndPosesStay()
-        {
-            Scene = new CrowdScene("monarch", 1, "cruise");
-            Scene.Place(0, CrowdPose.At(new float3(1f, 0f, 0f), quaternion.identity));
-            yield return Frames(2);
-            FieldInfo loops = typeof(BakedInsect).GetField("m_Loops", BindingFlags.NonPublic | BindingFlags.Instance);
-            CrowdLoop slower = ((CrowdLoop[])loops.GetValue(Scene.Baked))[0];
-            slower.frequency = 0.5f;
-            loops.SetValue(Scene.Baked, new[] { slower, slower });
-            yield return null;
-            float before = Scene.Crowd.Poses[0].phase;
-            float start = Time.time;
-            yield return Frames(10);
-            float turned = Scene.Crowd.Poses[0].phase - before;
-            Assert.That(turned - math.floor(turned), Is.EqualTo(0.5f * (Time.time - start)).Within(1e-4f));
-            Assert.That(Scene.Crowd.Poses[0].position.x, Is.EqualTo(1f));
-        }
-
-        [UnityTest]
-        public IEnumerator LiveInsects_AreOfTheCrowdsScene_AndGoWithThePlay()
-        {
-            Scene = new CrowdScene("monarch", 1, "cruise");
-            Scene.Crowd.LivePrefab = Scene.Prefab;
-            Scene.Crowd.LiveCount = 1;
-            Scene.Place(0, CrowdPose.At(default, quaternion.identity));
-            for (int frame = 0; frame < 600 && Scene.Crowd.LiveNow == 0; frame++)
-                yield return null;
-            GameObject twin = Scene.Crowd.LiveTwinOf(0).gameObject;
-            Assert.That((twin.scene, twin.hideFlags), Is.EqualTo((Scene.Crowd.gameObject.scene, HideFlags.None)));
-        }
-
-        [Test]
-        public void Crowds_RunAfterWhatWritesTheirPoses_AndBeforeWings()
-        {
-            int Order(Type type) => type.GetCustomAttribute<DefaultExecutionOrder>().order;
-            int crowd = Order(typeof(InsectCrowd));
-            foreach (Type writer in new[] { typeof(CrowdSpawner), typeof(FlockCrowd) })
-                Assert.That(Order(writer), Is.GreaterThan(0).And.LessThan(crowd));
-            Assert.That(crowd, Is.LessThan(Order(typeof(WingSystem))));
-        }
-
-        private void Write(string field, object value) =>
-            typeof(InsectCrowd).GetField(field, BindingFlags.NonPublic | BindingFlags.Instance).SetValue(Scene.Crowd, value);
 
         [UnityTest]
         public IEnumerator ALoopThatIsNone_IsTheLastOne([Values(2, 7, -1, int.MinValue, int.MaxValue)] int loop)
