@@ -1,4 +1,3 @@
-using Alate.Catalogue;
 using Alate.Showcase;
 using UnityEngine;
 

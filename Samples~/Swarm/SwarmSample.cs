@@ -1,5 +1,4 @@
 using System.Collections.Generic;
-using Alate.Catalogue;
 using Alate.Showcase;
 using UnityEngine;
 

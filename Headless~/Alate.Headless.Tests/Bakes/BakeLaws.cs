@@ -177,8 +177,13 @@ public sealed class BakeLaws
     {
         using var run = new CommandRun();
         string mesh = run.Write("wing.obj", OwnWing.Obj(side: side)), skeleton = run.Write("wing.json", OwnWing.Skeleton(side));
-        InsectBake bake = new BakePlan { Species = InsectCatalogue.Find("fishfly"), MeshFile = mesh, SkeletonFile = skeleton,
-            Frames = 4 }.Bake(out _);
+        InsectBake bake = new BakePlan
+        {
+            Species = InsectCatalogue.Find("fishfly"),
+            MeshFile = mesh,
+            SkeletonFile = skeleton,
+            Frames = 4
+        }.Bake(out _);
         var plan = new FlightPlan { Species = "fishfly", MeshFile = mesh, SkeletonFile = skeleton };
         using var wings = new TetheredWings(plan, Insect.Of(plan));
         float3[] baked = [.. bake.Surface.Positions.Select(place => (float3)place * bake.MetresPerUnit)],
@@ -190,8 +195,10 @@ public sealed class BakeLaws
         foreach (float3 place in flown)
             Assert.That(baked.Min(other => math.distance(place, other)), Is.LessThan(2e-5f), "metres");
         foreach (BakedWing wing in bake.Wings)
+        {
             Assert.That(wing.Vertices.Average(vertex => baked[vertex].x),
                 wing.Side == WingSide.Right ? Is.GreaterThan(0.005) : Is.LessThan(-0.005));
+        }
     }
 
     private GlbFile File(string form)

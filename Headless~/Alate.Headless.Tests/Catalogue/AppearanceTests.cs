@@ -7,7 +7,6 @@ using System.Runtime.CompilerServices;
 using System.Text.RegularExpressions;
 using Alate.Catalogue;
 using NUnit.Framework;
-using Unity.Mathematics;
 using UnityEngine;
 
 namespace Alate.Tests.Catalogue
@@ -27,7 +26,7 @@ namespace Alate.Tests.Catalogue
         public void AnInsect_IsAsItWasDrawn(InsectDefinition insect)
         {
             string file = FilePath();
-            var held = File.Exists(file) ? File.ReadAllLines(file).ToList() : [];
+            List<string> held = File.Exists(file) ? File.ReadAllLines(file).ToList() : [];
             List<string> now = [.. Lines(insect)];
             if (Environment.GetEnvironmentVariable("ALATE_WRITE_APPEARANCE") == "1")
             {
@@ -88,7 +87,7 @@ namespace Alate.Tests.Catalogue
             var bounds = new Bounds(BodyPieces.BoundsOf(body, group[0]).center, Vector3.zero);
             double volume = 0.0, area = 0.0;
             var sums = new double[8];
-            var middle = Vector3.zero;
+            Vector3 middle = Vector3.zero;
             int corners = 0;
             foreach (List<int> piece in group)
             {

@@ -34,7 +34,7 @@ public sealed class FlightFileLaws
             });
         }
 
-        float3[] joints = new float3[1];
+        var joints = new float3[1];
         foreach ((double phase, float expected) in new[] { (0.5, 0.5f), (1.0, 1f), (2.5, 2.5f), (5.5, 5.5f),
             (5.5 + 0.25 * (2 * Math.PI - 5), 4.25f), (0.5 + 2 * Math.PI, 0.5f), (1.0 - 4 * Math.PI, 1f) })
         {

@@ -21,7 +21,9 @@ public sealed class InputLaws
     public void Elements_AreTrianglesOrANumberOfPatches(string typed, int? patches)
     {
         if (patches != null)
+        {
             Assert.That(FlyOptions.Patches(typed), Is.EqualTo(patches));
+        }
         else
         {
             Assert.That(() => FlyOptions.Patches(typed), Throws.TypeOf<UserException>().With.Message

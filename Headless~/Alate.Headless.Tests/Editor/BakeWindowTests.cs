@@ -51,7 +51,7 @@ public sealed class BakeWindowTests
     [Test]
     public void TheSelectedInsect_IsTaken_AndWithoutOneItIsAskedFor()
     {
-        DrawnInspector page = DrawnInspector.Of(m_Gui);
+        var page = DrawnInspector.Of(m_Gui);
         Assert.That((page.Control("Insect").Value, page.Control("Frames").Value), Is.EqualTo((m_Insect.name, "48")));
         Assert.That(page.Controls.Where(control => control.Kind == ControlKind.Toggle).Select(clip => (clip.Text, clip.Value)),
             Is.EqualTo(BakeMotion.Names.Select((name, k) => (name, k == 0 ? "on" : "off"))));
@@ -74,7 +74,7 @@ public sealed class BakeWindowTests
         Assert.That(ShownProgress.IsOpen, Is.False);
         Assert.That(ShownProgress.Shown.Select(shown => shown.Share), Is.Ordered.And.All.InRange(0f, 1f));
         Assert.That(ShownProgress.Shown.Select(shown => shown.Info).Distinct().Count(), Is.EqualTo(isCancelled ? 1 : 2), "a clip each");
-        DrawnInspector page = DrawnInspector.Of(m_Gui);
+        var page = DrawnInspector.Of(m_Gui);
         Assert.That(page.Buttons.Contains("Save..."), Is.EqualTo(!isCancelled));
         Assert.That(page.HelpBoxes.Count(), Is.EqualTo(isCancelled ? 0 : 1));
         if (isCancelled)
@@ -89,7 +89,7 @@ public sealed class BakeWindowTests
         DrawnInspector.Press(m_Gui, first);
         DrawnInspector.Press(m_Gui, "cruise");
         DrawnInspector.Put(m_Gui, "Frames", 12);
-        DrawnInspector page = DrawnInspector.Press(m_Gui, "Bake");
+        var page = DrawnInspector.Press(m_Gui, "Bake");
         string[] told = page.HelpBoxes.Single().Split('\n');
         Assert.That((told[1].Split(" at")[0], told[2].Split(" at")[0]), Is.EqualTo(("rest: 1 frames", "cruise: 12 frames")), "as chosen");
 

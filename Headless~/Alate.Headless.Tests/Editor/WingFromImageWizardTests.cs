@@ -73,7 +73,7 @@ public sealed class WingFromImageWizardTests
     public void ATrace_HasWhatTheFieldsSay_AndIsSavedOnce()
     {
         Take(Import());
-        DrawnInspector page = DrawnInspector.Of(m_Gui);
+        var page = DrawnInspector.Of(m_Gui);
         Assert.That(new[] { "Chains", "Joints", "Triangles", "Length", "Leading Edge", "Vein Widths", "Set Hinge" }
             .Select(label => page.Control(label).Value), Is.EqualTo(new[] { "5", "5", "1000", "1", "Automatic", "off", "off" }));
         Assert.That(page.Controls.Where(control => control.Kind == ControlKind.Field).Select(field => field.Tooltip), Has.None.Empty);
@@ -162,7 +162,7 @@ public sealed class WingFromImageWizardTests
         Assert.That(DrawnInspector.Of(m_Gui).Control("Hinge").Value, Is.EqualTo("(0.00, 0.00)"), "beside the picture");
         DrawnInspector.Press(m_Gui, "Trace");
         frame = Frame();
-        DrawnInspector page = DrawnInspector.Click(m_Gui, frame.position + new Vector2(0.1f * frame.width, 0.5f * frame.height));
+        var page = DrawnInspector.Click(m_Gui, frame.position + new Vector2(0.1f * frame.width, 0.5f * frame.height));
         Assert.That(page.Control("Hinge").Value, Is.EqualTo("(12.00, 40.00)"), "pixels from the top left");
         Assert.That(page.Buttons, Has.No.Member("Save Mesh and Skeleton"), "the trace is another one's");
         Put("Hinge", new Vector2(11f, 41f));
@@ -176,7 +176,7 @@ public sealed class WingFromImageWizardTests
         plain.SetPixels32([.. Enumerable.Repeat(new Color32(90, 90, 90, 255), 2400)]);
         plain.Apply();
         Take(plain);
-        DrawnInspector page = DrawnInspector.Press(m_Gui, "Trace");
+        var page = DrawnInspector.Press(m_Gui, "Trace");
         Assert.That(page.HelpBoxes.Count(), Is.EqualTo(1));
         Assert.That(page.Buttons, Is.EqualTo(new[] { "Trace" }));
 

@@ -1,7 +1,7 @@
 using System.Collections;
 using System.Linq;
-using Alate.Showcase;
 using Alate.Samples;
+using Alate.Showcase;
 using NUnit.Framework;
 using StandIns;
 using UnityEngine;

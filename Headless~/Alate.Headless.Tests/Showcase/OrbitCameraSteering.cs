@@ -63,15 +63,25 @@ public sealed class OrbitCameraSteering : PlayFixture
         yield return Frames(5);
         Assert.That(orbit.Yaw, Is.EqualTo(145f));
         gamepad.rightStick.Set(new Vector2(-1f, 0f));
-        float start = Time.unscaledTime;
-        yield return Frames(10);
-        Assert.That(orbit.Yaw - 145f, Is.EqualTo(-120f * (Time.unscaledTime - start)).Within(0.02f));
+        float seconds = 0f;
+        for (int frame = 0; frame < 10; frame++)
+        {
+            yield return null;
+            seconds += Time.unscaledDeltaTime;
+        }
+
+        Assert.That(orbit.Yaw - 145f, Is.EqualTo(-120f * seconds).Within(1e-3f));
         gamepad.rightStick.Set(Vector2.zero);
         gamepad.leftTrigger.Set(1f);
         float distance = orbit.Distance;
-        start = Time.unscaledTime;
-        yield return Frames(10);
-        Assert.That(orbit.Distance, Is.EqualTo(distance * Mathf.Exp(1.5f * (Time.unscaledTime - start))).Within(1e-3f));
+        seconds = 0f;
+        for (int frame = 0; frame < 10; frame++)
+        {
+            yield return null;
+            seconds += Time.unscaledDeltaTime;
+        }
+
+        Assert.That(orbit.Distance, Is.EqualTo(distance * Mathf.Exp(1.5f * seconds)).Within(1e-4f));
     }
 
     private OrbitCamera Made() => OrbitCamera.Create(Keep(new GameObject("stage")).transform, Vector3.zero, 2f);

@@ -1,4 +1,3 @@
-using System;
 using System.Collections;
 using System.Linq;
 using Alate.Showcase;
@@ -124,7 +123,7 @@ public sealed class ScreenPanelTests : PlayFixture
     public IEnumerator TheCamera_StaysWhileTheSliderIsDragged_AndTurnsOtherwise([Values] bool bySystem)
     {
         Show();
-        OrbitCamera orbit = OrbitCamera.Create(Keep(new GameObject("stage")).transform, Vector3.zero, 2f);
+        var orbit = OrbitCamera.Create(Keep(new GameObject("stage")).transform, Vector3.zero, 2f);
         yield return Frames(2);
         float yaw = orbit.Yaw;
         Vector2 slider = DrawnScreen.Controls.Single(control => control.Kind == ControlKind.Field).Place.center;

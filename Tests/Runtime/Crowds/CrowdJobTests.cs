@@ -116,7 +116,7 @@ namespace Alate.Tests.Crowds
         [Test]
         public void TheBoxOfNothing_IsAPoint()
         {
-            CrowdPose pose = CrowdPose.At(new float3(3f, 0f, 0f), quaternion.identity);
+            var pose = CrowdPose.At(new float3(3f, 0f, 0f), quaternion.identity);
             pose.scale = 0f;
             CrowdJob job = Run(Job(new[] { pose }));
 

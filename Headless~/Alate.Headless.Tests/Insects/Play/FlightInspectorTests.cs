@@ -38,7 +38,7 @@ namespace Alate.Tests.Play.Headless
             yield return Frames(60);
             ShownGizmos.Of(flight);
             yield return Frames(30);
-            DrawnInspector page = DrawnInspector.Of(m_Editor);
+            var page = DrawnInspector.Of(m_Editor);
             List<(string Shape, Color Colour, Vector3[] Places)> drawn = ShownGizmos.Of(flight);
 
             // A pilot is missing, which is said first; with one the numbers are told.
@@ -79,7 +79,7 @@ namespace Alate.Tests.Play.Headless
             two.Parts.Clear();
             m_Editor = UnityEditor.Editor.CreateEditor(new Object[] { one, two });
             Assert.That(m_Editor.RequiresConstantRepaint(), Is.False);
-            DrawnInspector page = DrawnInspector.Of(m_Editor);
+            var page = DrawnInspector.Of(m_Editor);
             Assert.That(page.HelpBoxes.Single(), Does.StartWith("Does not fly: its body has no parts."));
             Assert.That(page.Control(page.HelpBoxes.Single()).Value, Is.EqualTo("Warning"));
             DrawnInspector.Press(m_Editor, "Take A Monarch's Body");
@@ -102,7 +102,7 @@ namespace Alate.Tests.Play.Headless
             var scene = new CrowdScene("monarch", 3, "cruise");
             CrowdSpawnerTold(scene, out Alate.Crowds.CrowdSpawner spawner);
             yield return Frames(3);
-            DrawnInspector page = DrawnInspector.Of(m_Editor);
+            var page = DrawnInspector.Of(m_Editor);
             Alate.Crowds.InsectCrowd crowd = scene.Crowd;
             Assert.That(page.HelpBoxes.Single(), Is.EqualTo(
                 $"{crowd.DrawnCount} of 3 in sight, 0 live, {crowd.DrawCalls} draw calls, {crowd.Triangles / 1000} thousand triangles"));

@@ -18,8 +18,8 @@ namespace Alate.Tests
         public void OfABox_TheShareOnTheRight_IsThatOfItsWidth(float middle, float share)
         {
             // Turned by a quarter about Y: the box's Z runs along the insect's X.
-            Matrix4x4 toInsect = Matrix4x4.TRS(new Vector3(middle, 5f, 6f), Quaternion.Euler(0f, 90f, 0f), Vector3.one);
-            WingShape shape = WingShape.Of(new Bounds(Vector3.zero, new Vector3(8f, 0.5f, 2f)), toInsect);
+            var toInsect = Matrix4x4.TRS(new Vector3(middle, 5f, 6f), Quaternion.Euler(0f, 90f, 0f), Vector3.one);
+            var shape = WingShape.Of(new Bounds(Vector3.zero, new Vector3(8f, 0.5f, 2f)), toInsect);
 
             Assert.That(shape.rightShare, Is.EqualTo(share).Within(1e-5f));
             Assert.That(shape.Side, Is.EqualTo(share >= 0.8f ? WingSide.Right : share <= 0.2f ? WingSide.Left : (WingSide?)null));
@@ -50,15 +50,15 @@ namespace Alate.Tests
                 new Vector3(1f, 0f, 0f), new Vector3(3f, 0f, 0f), new Vector3(1f, 0f, 3f),
                 new Vector3(-1f, 0f, 0f), new Vector3(-2f, 0f, 0f), new Vector3(-1f, 0f, 1f),
             };
-            WingShape shape = WingShape.Of(positions, Part(0, 1, 2, 3, 4, 5), Matrix4x4.identity);
+            var shape = WingShape.Of(positions, Part(0, 1, 2, 3, 4, 5), Matrix4x4.identity);
 
             Assert.That(shape.area, Is.EqualTo(3.5f).Within(1e-5f));
             Assert.That(shape.rightShare, Is.EqualTo(3f / 3.5f).Within(1e-5f));
-            var centroid = (3f * new Vector3(5f / 3f, 0f, 1f) + 0.5f * new Vector3(-4f / 3f, 0f, 1f / 3f)) / 3.5f;
+            Vector3 centroid = (3f * new Vector3(5f / 3f, 0f, 1f) + 0.5f * new Vector3(-4f / 3f, 0f, 1f / 3f)) / 3.5f;
             Assert.That((shape.centroid - centroid).magnitude, Is.LessThan(1e-5f));
             Assert.That((shape.bounds.min, shape.bounds.max), Is.EqualTo((new Vector3(-2f, 0f, 0f), new Vector3(3f, 0f, 3f))));
             Assert.That(shape.isSheet, Is.True);
-            WingShape scaled = WingShape.Of(positions, Part(0, 1, 2), Matrix4x4.Scale(new Vector3(-2f, 2f, 2f)));
+            var scaled = WingShape.Of(positions, Part(0, 1, 2), Matrix4x4.Scale(new Vector3(-2f, 2f, 2f)));
             Assert.That((scaled.area, scaled.rightShare), Is.EqualTo((12f, 0f)));
         }
 

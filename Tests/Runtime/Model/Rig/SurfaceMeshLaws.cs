@@ -21,7 +21,7 @@ namespace Alate.Tests
         public void AMesh_HasAllThatItsSurfaceHas()
         {
             SurfaceMesh surface = Made();
-            Mesh mesh = surface.ToMesh("made");
+            var mesh = surface.ToMesh("made");
 
             Assert.That((mesh.name, mesh.vertexCount, mesh.isReadable), Is.EqualTo(("made", 3, true)));
             Assert.That(mesh.vertices, Is.EqualTo(surface.positions));

@@ -16,7 +16,7 @@ namespace Alate.Tests
             foreach (float angle in new[] { 0f, 0.8f })
             {
                 // Axes turned with the joints measure the same.
-                quaternion turn = quaternion.AxisAngle(math.normalize(new float3(1f, 2f, -1f)), angle);
+                var turn = quaternion.AxisAngle(math.normalize(new float3(1f, 2f, -1f)), angle);
                 WingSkeleton turned = Grid(x, y, z);
                 foreach (JointChain chain in turned.Chains)
                 {

@@ -57,7 +57,7 @@ namespace Alate.Tests
                     flown.world.Step(1f / 300f);
 
                 WingReading reading = flown.Reading;
-                float3[] loads = new float3[reading.ChainCount * reading.JointsPerChain];
+                var loads = new float3[reading.ChainCount * reading.JointsPerChain];
                 reading.AddJointLoads(loads);
                 float3 force = default, moment = default, first = default, jointForce = default, jointMoment = default;
                 for (int patch = 0; patch < reading.PatchCount; patch++)
