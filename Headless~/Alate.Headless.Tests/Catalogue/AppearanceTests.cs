@@ -86,7 +86,7 @@ namespace Alate.Tests.Catalogue
         {
             var bounds = new Bounds(BodyPieces.BoundsOf(body, group[0]).center, Vector3.zero);
             double volume = 0.0, area = 0.0;
-            var sums = new double[8];
+            double[] sums = new double[8];
             Vector3 middle = Vector3.zero;
             int corners = 0;
             foreach (List<int> piece in group)
