@@ -25,7 +25,7 @@ internal sealed class FreeStretch
         m_Record = record;
         m_Places = record.Moments.Select(at => record.Thorax(at)).ToArray();
         // A beat is left behind the last frame, for the mean of the camera.
-        m_First = Math.Max(record.Moments.Count - (plan.Beats + 1) * plan.Frames, 0);
+        m_First = record.Moments.Count - (plan.Beats + 1) * plan.Frames;
         float3 ahead = math.rotate(record.Moments[m_First + plan.Beats * plan.Frames / 2].Rotation, new float3(0f, 0f, 1f));
         m_Ahead = quaternion.RotateY(-math.atan2(ahead.x, ahead.z));
     }

@@ -153,6 +153,17 @@ public sealed class FlightReportLaws
     }
 
     [Test]
+    public void NamesOfFiles_AreNotBroken_HoweverLongTheyAre()
+    {
+        using var output = new StringWriter();
+        string folder = new('x', 200);
+        new Terminal(output).ShowFiles(folder, "a.txt", "b.txt");
+
+        Assert.That(output.ToString().ReplaceLineEndings("\n"),
+            Is.EqualTo($"Written:\n  {Path.Combine(folder, "a.txt")}\n  {Path.Combine(folder, "b.txt")}\n"));
+    }
+
+    [Test]
     public void Forces_AreThoseOfAllWings_LiftUp_DragAgainstTheWay()
     {
         FlightRecord flight = m_Flown;

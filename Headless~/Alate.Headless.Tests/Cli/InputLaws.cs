@@ -130,6 +130,21 @@ public sealed class InputLaws
         Assert.That(run.Errors, Does.StartWith($"alate: {message}"));
     }
 
+    // A flight has one step at least.
+    [TestCase(0.0, 0.05)]
+    [TestCase(0.01, 0.05)]
+    [TestCase(2.0, 2.0)]
+    [TestCase(null, 10.0)]
+    public void AFreeFlight_IsAtLeastAStepLong(double? typed, double seconds)
+    {
+        var options = new FreeOptions();
+        var command = new System.CommandLine.Command("fly");
+        options.AddTo(command);
+        FreePlan plan = options.Plan(command.Parse(["--free", "--step", "0.05"]), "monarch", typed, null);
+
+        Assert.That((plan.Seconds, plan.Steps), Is.EqualTo((seconds, (int)System.Math.Round(seconds / 0.05))));
+    }
+
     // Behind a command nothing holds files back any more.
     [Test]
     public void AFolder_IsHeldWhileACommandRuns_AndWrittenAtOnceOtherwise()

@@ -99,6 +99,8 @@ public sealed class LayoutLaws
             float[] lines = [.. own.Where(words => words.Size is 12f or 13f).Select(words => words.At.y).Distinct()];
             Assert.That(lines, Has.Length.EqualTo(species == "fishfly" ? 8 : 7),
                 "a line a measure, the lift, and the wings' names where there are two");
+            // Below the last photo its gap, the line, and the first line of numbers.
+            Assert.That(lines[0], Is.EqualTo(last + 4f + 12f + 24f).Within(0.01f));
             Assert.That(lines.Zip(lines.Skip(1), (a, b) => b - a), Is.All.EqualTo(19f).Within(0.01f));
             Assert.That(own.Where(words => words.Size == 13f && words.Anchor == "start" && words.Text != "†").Select(words => words.At.x),
                 Is.All.EqualTo(middle - 84f).Within(0.01f));

@@ -65,6 +65,34 @@ namespace Alate.Tests.Cli
         }
 
         [Test]
+        public void WingsOfTheUsersOwn_AreToldByTheirFiles_AndByTheSpeciesWhoseNumbersTheyTake()
+        {
+            using var run = new CommandRun();
+            var plan = new FlightPlan
+            {
+                Species = "fishfly",
+                MeshFile = run.Write("fore.obj", OwnWing.Obj()),
+                SkeletonFile = run.Write("fore.json", OwnWing.Skeleton()),
+                HindMeshFile = run.Write("hind.obj", OwnWing.Obj()),
+                HindSkeletonFile = run.Write("hind.json", OwnWing.Skeleton()),
+                Substeps = 12,
+                Patches = 64,
+            };
+            JsonElement summary = Parsed(Written(MonarchFlight.Fly(plan))), options = summary.GetProperty("options");
+
+            Assert.That(summary.GetProperty("species").GetString(), Is.EqualTo("fore"));
+            foreach ((string key, string value) in new[]
+            {
+                ("mesh", plan.MeshFile), ("skeleton", plan.SkeletonFile), ("hind_mesh", plan.HindMeshFile),
+                    ("hind_skeleton", plan.HindSkeletonFile),
+                ("parameters_of", "fishfly"),
+            })
+            {
+                Assert.That(options.GetProperty(key).GetString(), Is.EqualTo(value), key);
+            }
+        }
+
+        [Test]
         public void ANumberThatIsNotFinite_IsNull()
         {
             FlightRecord flight = MonarchFlight.Fly(new FlightPlan { Species = "monarch" });

@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using System.IO;
 using System.Linq;
 using System.Text;
@@ -167,6 +168,41 @@ public sealed class FormatLaws
             table.IndexOf(new Color32((byte)(100 + r), (byte)(100 + g), (byte)(100 + b), 255), k % 4, k / 4)).Distinct()];
         static Color32 Corner(int k) => new((byte)(k % 2 == 0 ? 96 : 106), (byte)(k / 2 % 2 == 0 ? 96 : 106),
             (byte)(k / 4 == 0 ? 96 : 106), 255);
+    }
+
+    [Test]
+    public void ColoursOfTheSmallestSteps_AreLinearInBothBranchesOfTheirCode()
+    {
+        var buffer = new GlbBuffer();
+        buffer.AddColours([.. Enumerable.Range(0, 30).Select(k => new Color32((byte)k, (byte)(30 + k), 0, 255))]);
+        byte[] told = buffer.ToArray();
+        for (int k = 0; k < 30; k++)
+        {
+            // IEC 61966-2-1: straight up to 0.04045, which lies between ten and eleven of 255, a power beyond.
+            double code = k / 255.0, light = k <= 10 ? code / 12.92 : Math.Pow((code + 0.055) / 1.055, 2.4);
+            Assert.That(BitConverter.ToUInt16(told, 8 * k), Is.EqualTo(65535 * light).Within(0.51), $"{k}");
+        }
+    }
+
+    // A frame has what changed since the one before, and nothing around it.
+    [Test]
+    public void AFrameOfAFilm_IsAsSmallAsWhatChanged()
+    {
+        Color32 ground = new(250, 250, 250, 255), spot = new(200, 30, 0, 255);
+        Color32[] Frame(int left, int top, int right, int bottom) => [.. Enumerable.Range(0, 20 * 12).Select(k =>
+            k % 20 >= left && k % 20 < right && k / 20 >= top && k / 20 < bottom ? spot : ground)];
+        byte[] film = IndexedPng.Write(20, 12, [Frame(0, 0, 0, 0), Frame(5, 3, 9, 6), Frame(5, 3, 9, 6), Frame(5, 3, 20, 12)], 10, true,
+            []);
+        var frames = new List<(int, int, int, int)>();
+        for (int at = 8; at < film.Length;)
+        {
+            int Number(int place) => System.Buffers.Binary.BinaryPrimitives.ReadInt32BigEndian(film.AsSpan(at + place));
+            if (Encoding.ASCII.GetString(film, at + 4, 4) == "fcTL")
+                frames.Add((Number(12), Number(16), Number(20), Number(24)));
+            at += 12 + Number(0);
+        }
+
+        Assert.That(frames, Is.EqualTo(new[] { (20, 12, 0, 0), (4, 3, 5, 3), (1, 1, 0, 0), (15, 9, 5, 3) }), "width, height, left, top");
     }
 
     // The eye sees green best, then red.

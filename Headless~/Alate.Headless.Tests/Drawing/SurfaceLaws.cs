@@ -146,6 +146,10 @@ public sealed class SurfaceLaws
         PhotoSurface.Thin(1, rest, [0, 1, 2], slanted, (_, _) => new float4(0.8f, 0.2f, 0.1f, 0.5f)).Draw(half, places, normals, shading,
             0.1f);
 
+        SampleGrid none = new(4, 4);
+        PhotoSurface.Thin(1, rest, [0, 1, 2], slanted, (_, _) => new float4(0.8f, 0.2f, 0.1f, 0f), true)
+            .Draw(none, places, normals, shading, 0.1f);
+        Assert.That(none.Pixels(s_Paper), Is.EqualTo(new SampleGrid(4, 4).Pixels(s_Paper)), "nothing but glass");
         Assert.That(count % 2, Is.EqualTo(1), "two places a sample, and three lines");
         Assert.That(mixed.Pixels(s_Paper), Is.EqualTo(half.Pixels(s_Paper)));
     }

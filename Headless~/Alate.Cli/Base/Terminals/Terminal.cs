@@ -81,8 +81,9 @@ internal sealed class Terminal
     /// <summary>Says where the files are.</summary>
     public void ShowFiles(string folder, params string[] files)
     {
-        Lines.WriteLine("Written:");
+        TextWriter unwrapped = Lines.Profile.Out.Writer;
+        unwrapped.WriteLine("Written:");
         foreach (string file in files)
-            Lines.WriteLine("  " + Path.Combine(folder, file));
+            unwrapped.WriteLine("  " + Path.Combine(folder, file));
     }
 }
