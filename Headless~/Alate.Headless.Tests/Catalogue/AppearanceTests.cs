@@ -134,7 +134,7 @@ namespace Alate.Tests.Catalogue
             WingOutline outline = wing.Contour;
             int height = (int)Math.Round(k_Pixels * (outline.Front - outline.Rear));
             Color32[] picture = wing.Pattern.Paint(outline, k_Pixels, height);
-            var sums = new double[k_Columns * k_Rows, 5];
+            double[,] sums = new double[k_Columns * k_Rows, 5];
             for (int pixel = 0; pixel < picture.Length; pixel++)
             {
                 int field = pixel / k_Pixels * k_Rows / height * k_Columns + pixel % k_Pixels * k_Columns / k_Pixels;
