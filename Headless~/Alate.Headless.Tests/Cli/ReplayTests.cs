@@ -12,7 +12,7 @@ namespace Alate.Tests.Cli
     {
         private static readonly string[] s_Flight =
         [
-            "--free", "--pilot", "wander", "--seed", "5", "--gust", "0.5,-2,0", "--aid", "0.3", "--seconds", "1.5", "--step", "0.013",
+            "--free", "--pilot", "wander", "--seed", "5", "--gust", "0.5,-2,0", "--aid", "0.3", "--seconds", "0.7", "--step", "0.013",
         ];
 
         private CommandRun m_Run;

@@ -26,7 +26,7 @@ namespace Alate.Tests.FreeFlights
             Check(insect, table, lines, TrimSolver.Closed);
         }
 
-        [Test]
+        [Test, Explicit, Category("Long")]
         public void ASnailfishsTable_GetsASpeed_WhereItsTwoDoNotMix()
         {
             using var insect = new FlyingInsect("snailfish");

@@ -79,7 +79,7 @@ namespace Alate.Tests.Views
             {
                 await page.Say($"{{\"values\":{{\"slow\":1,\"speed\":2,\"wind\":{wind}}}}}");
                 await page.Read("settings");
-                for (int k = 0; k < 12; k++)
+                for (int k = 0; k < 8; k++)
                     await page.ReadState();
                 float drag = 0f;
                 for (int k = 0; k < 16; k++)
