@@ -235,9 +235,10 @@ namespace Alate.Flight
         {
             if (m_WayTime == 0f || !math.isfinite(heading))
                 return true;
-            float angle = Headings.Wrap(heading - Headings.Of(m_Seat));
-            m_Seat = Facing(Headings.Of(m_Seat) + math.clamp(angle, -k_Turning * dt, k_Turning * dt));
-            return math.abs(angle) < k_Turning * dt;
+            quaternion wanted = Facing(heading);
+            float angle = Angle(m_Seat, wanted), most = k_Turning * dt;
+            m_Seat = angle > most ? Rotations.Slerp(m_Seat, wanted, most / angle) : wanted;
+            return angle <= most;
         }
 
         private void Push(ref FlyingBody body, float time, float leastTime)
@@ -259,9 +260,12 @@ namespace Alate.Flight
         {
             Elementary.SinCos(heading, out float sin, out float cos);
             var ahead = new float3(sin, 0f, cos);
-            ahead = math.normalizesafe(ahead - m_Normal * math.dot(ahead, m_Normal),
-                math.normalizesafe(math.cross(new float3(1f, 0f, 0f), m_Normal), new float3(0f, 0f, 1f)));
-            return quaternion.LookRotation(ahead, m_Normal);
+            ahead -= m_Normal * math.dot(ahead, m_Normal);
+
+            // Of a heading straight into a wall or out of it nothing is left but rounding.
+            if (math.lengthsq(ahead) < 1e-6f)
+                ahead = math.cross(new float3(1f, 0f, 0f), m_Normal);
+            return quaternion.LookRotation(math.normalizesafe(ahead, new float3(0f, 0f, 1f)), m_Normal);
         }
 
         private static float Angle(quaternion from, quaternion to) => math.length(BodyMotion.Log(math.mul(to, math.conjugate(from))));
