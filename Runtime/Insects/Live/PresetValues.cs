@@ -57,9 +57,8 @@ namespace Alate
         /// <summary>Drive of a wing that is held still, folded to a share.</summary>
         public WingDrive Folded(float fold)
         {
-            float4 rest = math.radians(math.clamp(
-                new float4(m_Rest.flap, m_Rest.sweep, m_Rest.feather, m_Rest.tilt), -PresetRest.MostAngle, PresetRest.MostAngle));
-            rest = math.select(rest, 0f, math.isnan(rest));
+            var rest = new float4(m_Rest.flap, m_Rest.sweep, m_Rest.feather, m_Rest.tilt);
+            rest = math.radians(math.clamp(math.select(rest, 0f, math.isnan(rest)), -PresetRest.MostAngle, PresetRest.MostAngle));
             return new WingDrive
             {
                 frequency = parameters.maxFrequency,
