@@ -86,6 +86,34 @@ namespace Alate.Tests
             Assert.That(math.distance(At(new float3(7f, 8f, 9f), 0f), new float3(2f, 3f, 0f)), Is.LessThan(1e-4f));
         }
 
+        // Made anew at once where it is asked for, or within a second where something may have come.
+        [Test]
+        public void AZoneThatCame_IsFound_WhenZonesAreForgotten()
+        {
+            var zones = new WindZones();
+            zones.Read(0f);
+            Zone(WindZoneMode.Directional, 3f);
+            zones.Read(0f);
+            Assert.That(math.length(zones.At(default)), Is.Zero, "not looked for in each step");
+            zones.Invalidate();
+            zones.Read(0f);
+            Assert.That(math.length(zones.At(default)), Is.Zero, "not before a second has passed");
+            zones.Forget();
+            zones.Read(0f);
+            Assert.That(math.length(zones.At(default)), Is.EqualTo(3f).Within(1e-5f));
+        }
+
+        [Test]
+        public void AZoneThatIsOff_OrASphereOfNoSize_BlowsNowhere()
+        {
+            WindZone off = Zone(WindZoneMode.Directional, 3f), point = Zone(WindZoneMode.Spherical, 3f);
+            off.gameObject.SetActive(false);
+            point.radius = 0f;
+            Assert.That(math.length(At(new float3(0.1f, 0f, 0f), 0f)), Is.Zero);
+            point.radius = -2f;
+            Assert.That(math.length(At(new float3(0.1f, 0f, 0f), 0f)), Is.Zero);
+        }
+
         private static float3 At(float3 place, float time)
         {
             var zones = new WindZones();

@@ -246,7 +246,8 @@ namespace Alate.Flight
             {
                 float2 slope = math.normalize(down);
                 float outwards = math.clamp(most / math.length(down), -1f, 1f);
-                float2 aside = math.normalizesafe(course - slope * math.dot(course, slope), new float2(slope.y, -slope.x));
+                float2 aside = course - slope * math.dot(course, slope);
+                aside = math.lengthsq(aside) > PerchPlan.Rounding ? math.normalize(aside) : new float2(slope.y, -slope.x);
                 course = outwards * slope + math.sqrt(1f - outwards * outwards) * aside;
                 m_Heading = Elementary.Atan2(course.x, course.y);
             }

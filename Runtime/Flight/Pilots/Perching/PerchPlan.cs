@@ -16,6 +16,9 @@ namespace Alate.Flight
         /// <summary>Way of a start down a slope, over the slope's fall.</summary>
         private const float k_Downhill = 1.2f;
 
+        /// <summary>Squared length up to which what is left of a unit vector is rounding.</summary>
+        internal const float Rounding = 1e-6f;
+
         /// <summary>Attempts before a spot is given up.</summary>
         private const int k_Attempts = 3;
 
@@ -125,8 +128,9 @@ namespace Alate.Flight
             // Not into the slope: along it, and a little down, but not straight back: a slow insect takes seconds to turn round.
             float3 down = math.normalizesafe(downhill);
             float uphill = math.min(math.dot(away, down), 0f);
+            float3 along = away - uphill * down;
             if (uphill < 0f)
-                away = math.length(away) * math.normalizesafe(away - uphill * down, new float3(down.z, 0f, -down.x));
+                away = math.length(away) * (math.lengthsq(along) > Rounding ? math.normalize(along) : new float3(down.z, 0f, -down.x));
             away += k_Downhill * math.length(downhill) * down;
             m_Away = math.normalizesafe(away, ahead);
             Stage = PerchStage.TakingOff;

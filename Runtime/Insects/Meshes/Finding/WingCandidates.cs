@@ -55,7 +55,7 @@ namespace Alate
             List<(WingShape shape, Vector3 point, int submesh)> pieces = Pieces(-1, isNamed && whole.Side == null);
             if (whole.Side == null || WingGroup.Count(pieces) > 1)
             {
-                if (drawn.Count > 1 && whole.Side == null && IsOnBothSides(drawn, isNamed))
+                if (drawn.Count > 1 && whole.Side == null && AreWings(drawn, isNamed))
                     drawn.ForEach(submesh => Add(WingPart.Submesh, submesh, default, m_Mesh.Submesh(submesh), isNamed));
                 else
                     AddPieces(pieces, isNamed);
@@ -86,14 +86,9 @@ namespace Alate
             return submesh < 0 ? m_Mesh.Sheets() : m_Mesh.Sheets().FindAll(piece => piece.submesh == submesh);
         }
 
-        // Each submesh is a wing of one side, and there is one on either.
-        private bool IsOnBothSides(List<int> submeshes, bool isNamed)
-        {
-            List<WingShape> shapes = submeshes.ConvertAll(m_Mesh.Submesh);
-            return shapes.TrueForAll(shape => shape.Side != null && (isNamed || shape.isSheet))
-                && shapes.Exists(shape => shape.Side == WingSide.Left)
-                && shapes.Exists(shape => shape.Side == WingSide.Right);
-        }
+        // Each submesh is a wing of one side; of a mesh on both sides there is one on either.
+        private bool AreWings(List<int> submeshes, bool isNamed) =>
+            submeshes.ConvertAll(m_Mesh.Submesh).TrueForAll(shape => shape.Side != null && (isNamed || shape.isSheet));
 
         private void AddPieces(List<(WingShape shape, Vector3 point, int submesh)> pieces, bool isNamed) =>
             pieces.ForEach(piece => Add(WingPart.ConnectedPart, piece.submesh, piece.point, piece.shape, isNamed));

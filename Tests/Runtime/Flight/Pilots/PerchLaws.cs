@@ -103,6 +103,22 @@ namespace Alate.Tests.Flight
             Assert.That(velocity.x, Is.GreaterThan(0f), "to the side that it looks to");
         }
 
+        // Straight into a slope there is no way along it to go on with: it goes aside.
+        [Test]
+        public void StraightBeforeASlope_ItTakesOffAcrossIt()
+        {
+            const float slope = 0.5f;
+            var plan = new PerchPlan(1);
+            FlightSituation situation = Situation();
+            situation.heading = 0f;
+            float down = 1.2f * math.sin(slope), course = math.atan2(-1f, -down);
+            situation.referenceVelocity = 0.7f * Along(course);
+            plan.Sit(new PerchSpot { position = situation.position, normal = new float3(0f, math.cos(slope), -math.sin(slope)) });
+            plan.TakeOff(PerchSettings.Default);
+            float3 velocity = plan.Next(situation, PerchSettings.Default, float.NaN, default).velocity;
+            Assert.That(Headings.Wrap(math.atan2(velocity.x, velocity.z) - course), Is.Zero.Within(1e-3f));
+        }
+
         [TestCase(0.49f, false)]
         [TestCase(0.51f, true)]
         public void HalfAMetreAway_ItHasTakenOff(float way, bool isOff)

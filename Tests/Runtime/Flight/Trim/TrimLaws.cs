@@ -132,6 +132,19 @@ namespace Alate.Tests.Flight
             }
         }
 
+        [Test]
+        public void ATableOfOneSpeed_HasItsClimbsAtAnySpeed()
+        {
+            using var table = new TrimTable(new[] { 0.5f }, new[] { -0.2f, 0.3f });
+            table.Set(0, 0, new float[TrimPoint.Floats]);
+            table.Set(0, 1, new float[TrimPoint.Floats]);
+            foreach (float speed in new[] { 0f, 0.5f, 2f })
+            {
+                table.Climbs(speed, out float least, out float most);
+                Assert.That((least, most), Is.EqualTo((-0.2f, 0.3f)));
+            }
+        }
+
         // A difference of speeds counts four times as much as one of climbs.
         [Test]
         public void WhatDoesNotClose_TakesItsNearestNeighboursNumbers()
