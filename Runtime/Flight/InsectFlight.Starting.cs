@@ -43,8 +43,7 @@ namespace Alate.Flight
 
         private bool Attach(LiveInsect live, WingWorld world)
         {
-            bool again = !m_StartsOver && m_Model != null && ReferenceEquals(live, m_Live) && ReferenceEquals(world, m_World)
-                && world.Contains(m_Body);
+            bool again = !m_StartsOver && ReferenceEquals(live, m_Live) && ReferenceEquals(world, m_World) && world.Contains(m_Body);
             FlyingBody kept = again ? world.Body(m_Body) : default;
             Vector3 from = m_From;
             Detach();
