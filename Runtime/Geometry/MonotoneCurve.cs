@@ -72,11 +72,9 @@ namespace Alate.Geometry
 
         private static void LimitToMonotone(double secant, ref double first, ref double second)
         {
+            // Beside a level stretch the slopes are 0 already.
             if (secant == 0)
-            {
-                first = second = 0;
                 return;
-            }
 
             double a = first / secant;
             double b = second / secant;

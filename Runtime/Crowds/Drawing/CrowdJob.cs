@@ -180,7 +180,7 @@ namespace Alate.Crowds
                     return k_Unseen;
             }
 
-            float height = reach / math.max(flatHeight + halfHeight * math.distance(eye, middle), 1e-6f);
+            float height = reach / (flatHeight + halfHeight * math.distance(eye, middle));
             byte size = 0;
             while (size < sizeCount - 1 && height < screenHeights[size])
                 size++;

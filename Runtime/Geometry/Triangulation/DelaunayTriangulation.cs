@@ -152,9 +152,9 @@ namespace Alate.Geometry
             }
         }
 
+        // No point lies within a triangle: one between two of its sides is beyond the third.
         private bool IsBetween(int side, int from, int to) =>
-            m_Links.Area(from, m_Links.End(side), to) >= 0.0 && m_Links.Area(from, to, m_Links.Apex(side)) >= 0.0
-            && m_Links.Area(m_Links.End(side), m_Links.Apex(side), to) < 0.0;
+            m_Links.Area(from, m_Links.End(side), to) >= 0.0 && m_Links.Area(from, to, m_Links.Apex(side)) >= 0.0;
 
         private List<(int A, int B)> FlipCrossings(int from, int to, Queue<(int A, int B)> crossed)
         {

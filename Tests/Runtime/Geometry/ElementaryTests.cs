@@ -31,6 +31,14 @@ namespace Alate.Tests
             Assert.That(Worst(Elementary.Acos, Math.Acos, 0.9999, 1.0), Is.LessThanOrEqualTo(3.0));
         }
 
+        // Beyond 87 a float overflows at 88.7 and has fewer digits from −87.3 on, down to none.
+        [Test]
+        public void TheExponentialOfAFloat_IsThatOfADouble_AtItsEnds()
+        {
+            foreach (float power in new[] { 87f, 87.5f, 88.7f, 88.8f, 95f, 1000f, -87f, -87.5f, -90f, -95f, -95.6f, -96f, -100f, -103f, -104f })
+                Assert.That(Elementary.Exp(power), Is.EqualTo((float)Math.Exp(power)).Within(1e-6).Percent, $"e^{power}");
+        }
+
         [Test]
         public void ExponentialAndLogarithm_AreWithinTwoUnits()
         {

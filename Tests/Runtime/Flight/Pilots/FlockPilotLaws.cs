@@ -188,6 +188,61 @@ namespace Alate.Tests.Play
             yield return null;
         }
 
+        // The bottom of the volume is where the insect starts, unless the volume goes with an object.
+        [UnityTest]
+        public IEnumerator AWanderersVolume_StandsOnItsStart_OrGoesWithAnObject()
+        {
+            WanderPilot pilot = Keep(new GameObject("wanderer")).AddComponent<WanderPilot>();
+            pilot.Obstacles.avoid = false;
+            pilot.transform.position = new Vector3(7f, 8f, 9f);
+            pilot.Volume = new FlightVolume(VolumeShape.Ellipsoid, new Vector3(1f, 2f, 3f), new Vector3(30f, 10f, 20f));
+            Assert.That(pilot.WorldVolume.centre, Is.EqualTo(new Vector3(1f, 2f, 3f)));
+            pilot.StayAroundStart();
+            Assert.That(pilot.Volume.centre, Is.EqualTo(new Vector3(0f, 5f, 0f)));
+            Assert.That(pilot.WorldVolume.centre, Is.EqualTo(new Vector3(7f, 13f, 9f)), "where it stands, before it has started");
+            pilot.Command(Situation());
+            pilot.transform.position = new Vector3(70f, 80f, 90f);
+            Assert.That(pilot.WorldVolume.centre, Is.EqualTo(new Vector3(1f, 7f, 3f)), "where its body was at the start");
+            pilot.Around = Keep(new GameObject("flower")).transform;
+            pilot.Around.position = new Vector3(4f, 4f, 4f);
+            Assert.That(pilot.WorldVolume.centre, Is.EqualTo(new Vector3(4f, 9f, 4f)));
+            Assert.That((pilot.WorldVolume.shape, pilot.WorldVolume.size), Is.EqualTo((VolumeShape.Ellipsoid, new Vector3(30f, 10f, 20f))));
+            pilot.enabled = false;
+            pilot.Around = null;
+            pilot.enabled = true;
+            Assert.That(pilot.WorldVolume.centre, Is.EqualTo(new Vector3(70f, 85f, 90f)), "it starts again");
+            yield return null;
+        }
+
+        // Marks that are taken, farther than asked for, or just left do not count.
+        [UnityTest]
+        public IEnumerator OfPerchMarks_TheNearestFreeOneIsFound()
+        {
+            PerchMark near = Mark(2f), far = Mark(5f), beyond = Mark(9f);
+            FlockPilot guest = Made();
+            Assert.That(PerchMark.FindNearest(Vector3.zero, 8f, null), Is.SameAs(near));
+            Assert.That(PerchMark.FindNearest(Vector3.zero, 8f, near), Is.SameAs(far));
+            near.Guest = guest;
+            Assert.That(near.IsFree, Is.False);
+            Assert.That(PerchMark.FindNearest(Vector3.zero, 8f, null), Is.SameAs(far));
+            Assert.That(PerchMark.FindNearest(new Vector3(10f, 0f, 0f), 8f, null), Is.SameAs(beyond));
+            Assert.That(PerchMark.FindNearest(Vector3.zero, 4.9f, null), Is.Null);
+            guest.enabled = false;
+            Assert.That(near.IsFree);
+            near.enabled = false;
+            Assert.That(PerchMark.FindNearest(Vector3.zero, 8f, null), Is.SameAs(far));
+            far.transform.rotation = Quaternion.Euler(0f, 30f, 0f);
+            Assert.That((far.Spot.position.x, far.Spot.normal.y), Is.EqualTo((5f, 1f)));
+            Assert.That(far.Spot.heading, Is.EqualTo(math.PI / 6f).Within(1e-5f));
+            yield return null;
+            PerchMark Mark(float x)
+            {
+                PerchMark mark = Keep(new GameObject("mark")).AddComponent<PerchMark>();
+                mark.transform.position = new Vector3(x, 0f, 0f);
+                return mark;
+            }
+        }
+
         private static void Expect(FlockPilot pilot, in FlightSituation situation, in FlockView view, float3 wanted)
         {
             pilot.View = view;

@@ -97,6 +97,7 @@ namespace Alate.Tests.Flight
             {
                 ObstacleSense sense = Looking(s_Ahead, 1f);
                 sense.SetHit(0, -s_Ahead, 0.1f);
+                sense.SetHit(4, -s_Ahead, 0.6f);
                 float3 allowed = sense.Avoid(s_Ahead, At(s_Place, 1f), ObstacleSettings.Default, goal);
                 Assert.That(math.length(allowed.xy) > 0.1f, Is.EqualTo(turns), $"a goal {goal} m ahead");
             }

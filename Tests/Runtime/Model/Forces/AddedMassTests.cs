@@ -78,6 +78,19 @@ namespace Alate.Tests
             Assert.That(math.length(Flown(parameters, true, air)[^1].force - Flown(parameters, false, air)[^1].force), Is.LessThan(1e-4f));
         }
 
+        // Turning about a body that is off the hinge is a wind at the hinge.
+        [Test]
+        public void AHingeOffTheBody_MeetsTheWindOfItsPlace()
+        {
+            WingParameters parameters = Driven(DrivenAngle.Feather, 0.3f);
+            float3 turning = new float3(3f, -2f, 4f), hinge = new float3(0.6f, 0.5f, -0.7f), wind = new float3(1f, 2f, -9f);
+            var off = new WingSurroundings { wind = wind, angularVelocity = turning, hinge = hinge };
+            var on = new WingSurroundings { wind = wind - math.cross(turning, hinge), angularVelocity = turning };
+            (float phase, float3 force)[] one = Flown(parameters, true, off), other = Flown(parameters, true, on);
+            for (int k = 0; k < one.Length; k++)
+                Assert.That(math.distance(one[k].force, other[k].force), Is.LessThan(2e-3f * math.length(other[k].force) + 0.05f));
+        }
+
         // In a fluid in which that mass is more than a hundred times the wing's own.
         [Test]
         public void ALightWingThatBends_StaysStable()

@@ -120,6 +120,35 @@ namespace Alate.Tests
             Assert.That(Refusal(Shifted(by)), Does.Contain("far away").Or.Contain("does not fit").Or.Contain("no triangle with an area"));
         }
 
+        // Shifted across the span by half of its chord less of it lies near, and by more hardly any.
+        [Test]
+        public void TheShareThatLiesNear_IsNamedInPercent()
+        {
+            int last = 100, told = 0;
+            for (float by = 0.16f; by < 0.6f; by += 0.02f)
+            {
+                SurfaceMesh surface = Shifted(new Vector3(0f, 0f, by));
+                string message = "";
+                try
+                {
+                    TestWings.Bake(TestWings.Fan(), surface).Release();
+                }
+                catch (ArgumentException exception)
+                {
+                    message = exception.Message;
+                }
+
+                int end = message.IndexOf(" % of its area lies near the joints.", StringComparison.Ordinal);
+                if (end < 0)
+                    continue;
+                int share = int.Parse(message.Substring(0, end).Split(' ')[^1]);
+                Assert.That(share, Is.InRange(0, 50).And.LessThanOrEqualTo(last), $"shifted by {by}");
+                (last, told) = (share, told + (share > 1 ? 1 : 0));
+            }
+
+            Assert.That(told, Is.GreaterThan(3));
+        }
+
         [Test]
         public void AMeshInOtherUnits_IsRefused([Values(0.01f, 0.1f, 10f, 1000f)] float scale)
         {
