@@ -82,6 +82,80 @@ namespace Alate.Tests
             Assert.That(clamped.screenHeights.restBelow, Is.EqualTo(1f));
         }
 
+        [TestCase(0.5f, 30f, 0.5f, 30f)]
+        [TestCase(-1f, -181f, 0f, -180f)]
+        [TestCase(2.1f, 181f, 2f, 180f)]
+        public void SlidersOfAWing_StayInTheirRanges(float amplitude, float lead, float wantedAmplitude, float wantedLead)
+        {
+            var wing = new Wing { AmplitudeScale = amplitude, PhaseLead = lead };
+            Assert.That((wing.AmplitudeScale, wing.PhaseLead), Is.EqualTo((wantedAmplitude, wantedLead)));
+        }
+
+        [Test]
+        public void NumbersOfAPresetWithoutASlider_AreMovedIntoTheirRanges()
+        {
+            PresetStiffness stiffness = default;
+            (stiffness.elasticity, stiffness.strongestWind) = (float.NegativeInfinity, -1f);
+            PresetStiffness clamped = stiffness.Clamped();
+            Assert.That((clamped.elasticity, clamped.strongestWind),
+                Is.EqualTo((WingBounds.Elasticity.Min, WingBounds.StrongestWind.Default)));
+            (stiffness.elasticity, stiffness.strongestWind) = (float.PositiveInfinity, 3f);
+            clamped = stiffness.Clamped();
+            Assert.That((clamped.elasticity, clamped.strongestWind), Is.EqualTo((WingBounds.Elasticity.Max, 3f)));
+
+            foreach (bool most in new[] { false, true })
+            {
+                float value = most ? float.MaxValue : -1f;
+                PresetSize size = new PresetSize
+                {
+                    wingLength = value,
+                    wingMass = value,
+                    insectMass = value,
+                    fluidDensity = 7f,
+                    gravityShare = value,
+                }.Clamped();
+                Assert.That(new[] { size.wingLength, size.wingMass, size.insectMass, size.gravityShare, size.fluidDensity }, Is.EqualTo(most
+                    ? new[] { WingBounds.WingLength.Max, WingBounds.WingMass.Max, WingBounds.InsectMass.Max, WingBounds.GravityShare.Max, 7f }
+                    : new[] { WingBounds.WingLength.Min, WingBounds.WingMass.Min, WingBounds.InsectMass.Min, WingBounds.GravityShare.Min, 7f }));
+            }
+        }
+
+        // Each number of a preset's beat, wave and stiffness is one of the model's, degrees as radians and ranges as half of them.
+        [Test]
+        public void NumbersOfAPreset_AreThoseOfTheModel_InItsUnits()
+        {
+            WingPreset preset = WingPresetOf();
+            ref PresetBeat beat = ref preset.Beat;
+            (beat.maxFrequency, beat.maxSpeed, beat.frequencyFloor, beat.amplitudeFloor) = (20f, 3f, 0.3f, 0.4f);
+            (beat.flapRange, beat.sweepRange, beat.featherRange) = (100f, 40f, 30f);
+            (beat.flapPhase, beat.sweepPhase, beat.featherPhase) = (10f, -20f, 30f);
+            (beat.meanFlap, beat.tilt, beat.phaseLead) = (5f, -15f, 25f);
+            ref PresetWave wave = ref preset.Wave;
+            (wave.chordDelay, wave.spanDelay, wave.rootShare, wave.inertia) = (0.11f, 0.12f, 0.13f, 0.14f);
+            ref PresetStiffness stiff = ref preset.Stiffness;
+            (stiff.leadingEdge, stiff.trailingEdge, stiff.decay, stiff.damping) = (0.9f, 0.5f, 0.3f, 0.2f);
+            (stiff.dorsalAsymmetry, stiff.inPlaneFactor, stiff.torsionFactor, stiff.jointLimit) = (1.1f, 3f, 0.7f, 20f);
+            WingParameters made = WingParameters.Default;
+            beat.WriteTo(ref made);
+            wave.WriteTo(ref made);
+            stiff.WriteTo(ref made);
+            const float degree = math.PI / 180f;
+            Assert.That(new[]
+            {
+                made.maxFrequency, made.maxSpeed, made.frequencyFloor, made.amplitudeFloor, made.amplitude.x, made.amplitude.y,
+                made.amplitude.z, made.phase.x, made.phase.y, made.phase.z, made.meanFlap, made.tilt, made.phaseLead,
+                made.chordDelay, made.spanDelay, made.rootShare, made.inertia, made.stiffnessRoot, made.stiffnessTip, made.stiffnessDecay,
+                made.bendDamping, made.dorsalAsymmetry, made.inPlaneFactor, made.torsionFactor, made.jointLimit,
+            }, Is.EqualTo(new[]
+            {
+                20f, 3f, 0.3f, 0.4f, 50f * degree, 20f * degree, 15f * degree, 10f * degree, -20f * degree, 30f * degree, 5f * degree,
+                -15f * degree, 25f * degree, 0.11f, 0.12f, 0.13f, 0.14f, 0.9f, 0.5f, 0.3f, 0.2f, 1.1f, 3f, 0.7f, 20f * degree,
+            }).Within(1e-6f));
+            Object.DestroyImmediate(preset);
+        }
+
+        private static WingPreset WingPresetOf() => ScriptableObject.CreateInstance<WingPreset>();
+
         [Test]
         public void AVectorThatIsRefused_IsTheLastGoodOne_AndToldOnce()
         {
