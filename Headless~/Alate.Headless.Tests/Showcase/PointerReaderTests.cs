@@ -89,6 +89,64 @@ public sealed class PointerReaderTests : PlayFixture
     }
 
     [UnityTest]
+    public IEnumerator OfThreeFingers_TheFirstTwoCount([Values] bool bySystem)
+    {
+        Begin(bySystem);
+        m_Screen = bySystem ? InputSystem.AddDevice<Touchscreen>() : null;
+        for (int finger = 0; finger < 3; finger++)
+        {
+            var place = new Vector2(10f + 30f * finger, 20f + 40f * finger * finger);
+            if (bySystem)
+            {
+                m_Screen.touches[finger].position.Set(place);
+                m_Screen.touches[finger].press.Set(1f);
+            }
+            else
+            {
+                Input.Fingers.Add(new Touch { position = place, phase = TouchPhase.Moved });
+            }
+        }
+
+        yield return null;
+        PointerFrame now = PointerReader.Now;
+        Assert.That((now.fingers, now.position.x, now.second.x), Is.EqualTo((2, 10f, 40f)));
+        Assert.That(now.Span, Is.EqualTo(50f).Within(1e-4f));
+    }
+
+    [UnityTest]
+    public IEnumerator OneDeviceIsEnough([Values("mouse", "keyboard", "gamepad", "screen")] string device)
+    {
+        switch (device)
+        {
+            case "mouse":
+                m_Mouse = InputSystem.AddDevice<Mouse>();
+                m_Mouse.leftButton.Set(1f);
+                break;
+            case "keyboard":
+                m_Keyboard = InputSystem.AddDevice<Keyboard>();
+                m_Keyboard.leftArrowKey.Set(1f);
+                m_Keyboard.downArrowKey.Set(1f);
+                m_Keyboard.rightShiftKey.Set(1f);
+                break;
+            case "gamepad":
+                m_Gamepad = InputSystem.AddDevice<Gamepad>();
+                m_Gamepad.leftStick.Set(new Vector2(-0.5f, 0.5f));
+                break;
+            default:
+                m_Screen = InputSystem.AddDevice<Touchscreen>();
+                m_Screen.touches[0].press.Set(1f);
+                break;
+        }
+
+        yield return null;
+        PointerFrame now = PointerReader.Now;
+        Assert.That((now.isDown, now.isOtherDown, now.isShifted, now.fingers, now.digit),
+            Is.EqualTo((device is "mouse" or "screen", false, device == "keyboard", device == "screen" ? 1 : 0, -1)));
+        Assert.That((now.stick.x, now.stick.y),
+            Is.EqualTo(device == "keyboard" ? (-1f, -1f) : device == "gamepad" ? (-0.5f, 0.5f) : (0f, 0f)));
+    }
+
+    [UnityTest]
     public IEnumerator SticksAndKeys_Steer([Values] bool bySystem)
     {
         Begin(bySystem);

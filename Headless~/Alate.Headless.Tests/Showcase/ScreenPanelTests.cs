@@ -139,6 +139,40 @@ public sealed class ScreenPanelTests : PlayFixture
         }
     }
 
+    // One panel is drawn after the other: in between, what the other covers is still covered.
+    [UnityTest]
+    public IEnumerator BetweenTwoPanels_BothCoverTheirPlaces()
+    {
+        PairOfPanels pair = Keep(new GameObject("pair")).AddComponent<PairOfPanels>();
+        yield return Frames(4);
+        Assert.That(pair.Seen, Is.GreaterThan(2));
+        Assert.That(pair.Covered, Is.EqualTo(pair.Seen - 1), "in all frames but the first");
+    }
+
+    /// <summary>A narrow panel, and a wide one that is drawn after it.</summary>
+    private sealed class PairOfPanels : MonoBehaviour
+    {
+        private readonly ScreenPanel m_Narrow = new(100f), m_Wide = new(300f);
+
+        public int Seen { get; private set; }
+
+        public int Covered { get; private set; }
+
+        private void OnGUI()
+        {
+            if (!m_Narrow.Begin())
+                return;
+            m_Narrow.Label("narrow");
+            m_Narrow.End();
+            Seen++;
+            Covered += ScreenPanel.Covers(new Vector2(250f, 20f)) ? 1 : 0;
+            if (!m_Wide.Begin())
+                return;
+            m_Wide.Label("wide");
+            m_Wide.End();
+        }
+    }
+
     private TriedPanel Show() => Keep(new GameObject("shown")).AddComponent<TriedPanel>();
 
     private void Point(bool bySystem, Vector2 place, bool isDown)

@@ -120,6 +120,22 @@ namespace Alate.Tests
             Assert.That(worst, Is.LessThan(0.05f));
         }
 
+        // Far away a velocity is taken over as many steps as make a motion of the finest speed four roundings of the place.
+        [TestCase(1000f, 4.84e-3f, 10)]
+        [TestCase(1000f, 5.3e-3f, 10)]
+        [TestCase(1000f, 2.45e-3f, 20)]
+        public void FarAway_AVelocityIsThatOverSeveralSteps(float place, float finest, int steps)
+        {
+            MotionSampler sampler = default;
+            for (int k = 0; k <= steps; k++)
+            {
+                Assert.That(sampler.Velocity, Is.EqualTo(Vector3.zero), $"step {k}");
+                sampler.Sample(new Vector3(0f, k, place), Quaternion.identity, 0.01f, finest, 1e6f, k_Turn);
+            }
+
+            Assert.That(sampler.Velocity.y, Is.EqualTo(100f).Within(0.1f));
+        }
+
         private static bool Sample(ref MotionSampler sampler, int step, bool negated)
         {
             Quaternion rotation = Rotation(step);

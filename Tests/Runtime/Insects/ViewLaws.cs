@@ -70,6 +70,14 @@ namespace Alate.Tests
         }
 
         [Test]
+        public void EachLevel_HasItsThreshold()
+        {
+            WingDetail[] levels =
+                { WingDetail.Full, WingDetail.FewerSubsteps, WingDetail.CoarsePatches, WingDetail.WavesOnly, WingDetail.Frozen };
+            Assert.That(System.Array.ConvertAll(levels, s_Heights.Of), Is.EqualTo(new[] { 1f, 0.4f, 0.2f, 0.1f, 0.02f }));
+        }
+
+        [Test]
         public void AThresholdOfNought_SwitchesItsLevelOff()
         {
             ScreenHeights heights = s_Heights;

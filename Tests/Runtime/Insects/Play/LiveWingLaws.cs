@@ -62,6 +62,38 @@ namespace Alate.Tests.Play
             bool Apply(float fade, out WingParameters made) => wing.ApplyParameters(presets, new InsectTuning(insect, fade), out made);
         }
 
+        // Folded once for each share and each edit of the preset; let go where it is spread.
+        [UnityTest]
+        public IEnumerator AFoldedWing_IsFoldedAnew_WhenShareOrPresetChanges()
+        {
+            WingPreset preset = Keep(InsectCatalogue.Monarch());
+            InsectWings insect = Hatch(made => made.Preset = preset);
+            yield return Frames(3);
+            WingWorld world = WingSystem.Loop.World;
+            WingHandle wing = insect.Live.wings[0].handle;
+            insect.Steering.fold = 1f;
+            yield return Frames(2);
+            float middle = preset.ToParameters().meanFlap;
+            Assert.That(world.Drive(wing).meanFlap, Is.EqualTo(math.radians(preset.Rest.flap) - middle).Within(1e-5f));
+            var others = new WingDrive { frequency = 3f };
+            world.SetDrive(wing, others);
+            yield return Frames(2);
+            Assert.That(world.Drive(wing), Is.EqualTo(others), "nothing has changed");
+            preset.Rest.flap = 30f;
+            yield return Frames(2);
+            Assert.That(world.Drive(wing).meanFlap, Is.EqualTo(math.radians(30f) - middle).Within(1e-5f));
+            insect.Steering.fold = 0.5f;
+            yield return Frames(2);
+            Assert.That(world.Drive(wing).meanFlap, Is.EqualTo(0.5f * (math.radians(30f) - middle)).Within(1e-5f));
+            insect.Steering.fold = 0f;
+            yield return Frames(2);
+            Assert.That(world.Drive(wing), Is.EqualTo(default(WingDrive)));
+            world.SetDrive(wing, others);
+            preset.Rest.flap = 40f;
+            yield return Frames(2);
+            Assert.That(world.Drive(wing), Is.EqualTo(others), "one that is spread is others' to drive");
+        }
+
         // The box holds the whole mesh, and a ball about each hinge that reaches a tenth farther than the wing.
         [UnityTest]
         public IEnumerator TheBoxOfALivingMesh_HoldsItsWings_HoweverTheyBeat()

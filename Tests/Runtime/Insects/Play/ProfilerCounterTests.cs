@@ -37,11 +37,13 @@ namespace Alate.Tests.Play
         {
             InsectWings insect = Hatch();
             yield return Frames(5);
-            using (ProfilerRecorder count = Counter("Alate Insects"))
+            using (ProfilerRecorder count = Counter("Alate Insects"), steps = Counter("Alate Steps"), resets = Counter("Alate Resets"))
             {
-                Object.Destroy(insect.gameObject);
+                SystemCounter.resets.Set(7);
+                SystemCounter.steps.Set(7);
+                Object.DestroyImmediate(insect.gameObject);
                 yield return Frames(4);
-                Assert.That(count.LastValue, Is.Zero);
+                Assert.That((count.LastValue, steps.LastValue, resets.LastValue), Is.EqualTo((0, 0, 0)));
             }
         }
 

@@ -9,8 +9,8 @@ using UnityEngine.TestTools;
 
 namespace Alate.Tests.Play
 {
-    /// <summary>Commands of pilots of flocks, and who steers an insect.</summary>
-    public sealed class FlockPilotLaws : PlayFixture
+    /// <summary>Commands of pilots of flocks, volumes and marks of others, and who steers an insect.</summary>
+    public sealed class PilotLaws : PlayFixture
     {
         private const float k_Unit = 10f, k_Length = 0.05f;
 
@@ -241,6 +241,37 @@ namespace Alate.Tests.Play
                 mark.transform.position = new Vector3(x, 0f, 0f);
                 return mark;
             }
+        }
+
+        // A mark has its guest from when it is chosen until the guest wants to go elsewhere; it is not chosen again at once.
+        [UnityTest]
+        public IEnumerator AMark_IsLeft_ByWhoGoesElsewhere([Values("lands", "takes off", "is off")] string leaves)
+        {
+            PerchMark mark = Keep(new GameObject("mark")).AddComponent<PerchMark>();
+            mark.transform.position = new Vector3(1f, -6f, 3f);
+            PerchPilot pilot = Keep(new GameObject("percher")).AddComponent<PerchPilot>();
+            pilot.Settings.flightTime = 0f;
+            pilot.Settings.fleeDistance = 0f;
+            Assert.That(mark.IsFree);
+            FlightSituation situation = Situation();
+            for (int step = 0; step < 25; step++)
+                pilot.Command(situation);
+            Assert.That(mark.Guest, Is.SameAs(pilot));
+            Assert.That(pilot.Stage, Is.EqualTo(PerchStage.Approaching));
+            if (leaves == "lands")
+                Assert.That(pilot.LandOn(new PerchSpot { position = new float3(9f, -9f, 9f), normal = Vector3.up }));
+            else if (leaves == "takes off")
+                pilot.TakeOff();
+            else
+                pilot.enabled = false;
+            if (leaves == "takes off")
+                pilot.Command(situation);
+            Assert.That(mark.Guest == null && mark.IsFree);
+            for (int step = 0; step < 25; step++)
+                pilot.Command(situation);
+            Assert.That(pilot.Stage, Is.EqualTo(leaves == "lands" ? PerchStage.Approaching : PerchStage.Between), "no other mark is there");
+            Assert.That(mark.Guest == null);
+            yield return null;
         }
 
         private static void Expect(FlockPilot pilot, in FlightSituation situation, in FlockView view, float3 wanted)
