@@ -1,16 +1,15 @@
 using System;
-using Alate.Geometry;
 using Unity.Collections;
 using Unity.Jobs;
-using Unity.Mathematics;
 using UnityEngine;
 using UnityEngine.Rendering;
 
 namespace Alate.Crowds
 {
     /// <summary>
-    /// Draws thousands of baked insects with few draw calls. A script writes <see cref="Poses"/>; the crowd advances the loops, leaves out
-    /// what the camera does not see, and draws each insect with the mesh for its height on the screen. The nearest few can be live insects.
+    /// Draws thousands of baked insects with few draw calls. A script writes <see cref="Poses"/>; the crowd advances the loops, and for
+    /// each camera that draws, once it has moved, leaves out what it does not see and takes the mesh for each insect's height in its
+    /// picture. The nearest few can be live insects.
     /// </summary>
     [AddComponentMenu("Alate/Insect Crowd")]
     [DefaultExecutionOrder(ExecutionOrders.Crowd)]
@@ -30,12 +29,16 @@ namespace Alate.Crowds
         private int m_Count = 1000;
 
         [SerializeField]
-        [Tooltip("The camera that insects are culled and sized for. None: the main camera.")]
+        [Tooltip("The camera whose nearest insects are live. None: the main camera. Every camera draws what it sees itself.")]
         private Camera m_Camera;
 
         [SerializeField]
         [Tooltip("Whether the insects cast shadows.")]
         private ShadowCastingMode m_Shadows = ShadowCastingMode.Off;
+
+        [SerializeField]
+        [Tooltip("Rendering layers of the insects, a bit each: lights and decals of these layers act on them. 1: the default layer.")]
+        private uint m_RenderingLayers = 1;
 
         [SerializeField]
         [Tooltip("A live insect of the kind that was baked; copies of it take the places of the nearest. None: all are baked.")]
@@ -46,11 +49,12 @@ namespace Alate.Crowds
         [Tooltip("How many of the nearest are live, 0 to 64.")]
         private int m_LiveCount = 8;
 
-        private readonly Plane[] m_Planes = new Plane[6];
         private CrowdBuffers m_Buffers;
         private CrowdBatches m_Batches;
+        private CrowdCameras m_Cameras;
         private CrowdTwins m_Twins;
         private JobHandle m_Pending;
+        private int m_DrawnFrame, m_DrawnCount;
         private bool m_Told;
 
         /// <summary>The baked insect; a change empties the crowd.</summary>
@@ -82,11 +86,18 @@ namespace Alate.Crowds
             }
         }
 
-        /// <summary>The camera that insects are culled and sized for; null is the main camera.</summary>
+        /// <summary>The camera whose nearest insects are live; null is the main camera. Every camera draws what it sees itself.</summary>
         public Camera Camera
         {
             get => m_Camera;
             set => m_Camera = value;
+        }
+
+        /// <summary>Rendering layers of the baked insects, a bit each; 1 is the default layer.</summary>
+        public uint RenderingLayers
+        {
+            get => m_RenderingLayers;
+            set => m_RenderingLayers = value;
         }
 
         /// <summary>A live insect of the kind that was baked, in the scene or as a prefab; null leaves all baked.</summary>
@@ -124,8 +135,8 @@ namespace Alate.Crowds
             }
         }
 
-        /// <summary>Insects that were drawn baked in the last frame.</summary>
-        public int DrawnCount { get; private set; }
+        /// <summary>Insects that were drawn baked in the last frame, once for each camera that saw them or their shadows.</summary>
+        public int DrawnCount => m_Buffers == null ? 0 : m_DrawnCount;
 
         /// <summary>Insects that are live now.</summary>
         public int LiveNow => m_Twins == null ? 0 : m_Twins.ShownCount;
@@ -133,30 +144,26 @@ namespace Alate.Crowds
         /// <summary>The live insect that stands for one of the crowd; null where that is baked.</summary>
         public InsectWings LiveTwinOf(int insect) => m_Twins?.ShownFor(insect);
 
-        /// <summary>Draw calls of the last frame.</summary>
+        /// <summary>Draw calls of the last frame, for all cameras.</summary>
         public int DrawCalls => m_Batches == null ? 0 : m_Batches.Calls;
 
-        /// <summary>Triangles of the last frame.</summary>
+        /// <summary>Triangles of the last frame, for all cameras.</summary>
         public long Triangles => m_Batches == null ? 0 : m_Batches.Triangles;
 
         /// <summary>The state in one line: what keeps the crowd from being drawn; null when all is well.</summary>
         public string Problem => m_Insect == null ? "No baked insect is assigned."
-            : m_Insect.Sizes.Count == 0 || m_Insect.Sizes.Count > CrowdJob.MaxSizes
-            ? $"'{m_Insect.name}' has {m_Insect.Sizes.Count} meshes; 1 to {CrowdJob.MaxSizes} can be drawn."
+            : m_Insect.Sizes.Count == 0 || m_Insect.Sizes.Count > CrowdCullJob.MaxSizes
+            ? $"'{m_Insect.name}' has {m_Insect.Sizes.Count} meshes; 1 to {CrowdCullJob.MaxSizes} can be drawn."
             : m_Insect.Loops.Count == 0 ? $"'{m_Insect.name}' has no loops. Bake it again."
             : !SystemInfo.supportsInstancing
             ? "This device draws no instances: crowds cannot be drawn. Use fewer insects with the component Insect Wings."
             : null;
 
-        /// <summary>One frame on the calling thread, for measurements.</summary>
-        internal void RunFrame(float seconds)
-        {
-            Begin(seconds);
-            LateUpdate();
-        }
+        /// <summary>One frame without a camera on the calling thread, for measurements.</summary>
+        internal void RunFrame(float seconds) => Begin(seconds);
 
-        /// <summary>Draws the last frame again, for measurements.</summary>
-        internal void RunDrawing() => LateUpdate();
+        /// <summary>Draws for a camera as when it begins to, for measurements.</summary>
+        internal void RunCamera(Camera eye) => Draw(eye);
 
         private void OnDisable() => Free();
 
@@ -169,22 +176,49 @@ namespace Alate.Crowds
             Camera eye = m_Camera != null ? m_Camera : Camera.main;
             m_Pending.Complete();
             m_Twins.Update(m_LivePrefab, eye == null ? 0 : m_LiveCount, m_Insect, m_Buffers, seconds);
-            CrowdJob job = Job(eye, seconds);
+            var job = new CrowdStepJob
+            {
+                seconds = seconds,
+                shape = Shape,
+                ranks = eye != null && m_LivePrefab != null && m_LiveCount > 0,
+                view = eye == null ? default : CameraView.Of(eye, false),
+                loops = m_Buffers.loops,
+                poses = m_Buffers.poses,
+                spheres = m_Buffers.spheres,
+                instances = m_Buffers.instances,
+                nearest = m_Buffers.nearest,
+                nearestDistances = m_Buffers.nearestDistances,
+            };
             job.Validate();
             m_Pending = job.Schedule();
             JobHandle.ScheduleBatchedJobs();
         }
 
-        private void LateUpdate()
+        private void Draw(Camera eye)
         {
             m_Pending.Complete();
-            DrawnCount = 0;
             if (m_Buffers == null || m_Insect == null)
                 return;
-            for (int size = 0; size < CrowdJob.MaxSizes; size++)
-                DrawnCount += m_Buffers.counts[size];
-            if (DrawnCount > 0)
-                m_Batches.Draw(m_Insect, m_Buffers, m_Buffers.Bounds, gameObject.layer, m_Shadows);
+            if (m_DrawnFrame != Time.frameCount)
+            {
+                m_DrawnFrame = Time.frameCount;
+                m_DrawnCount = 0;
+                m_Batches.Begin();
+            }
+
+            CrowdCullJob job = CullJob(CameraView.Of(eye, m_Shadows != ShadowCastingMode.Off));
+            job.Validate();
+            job.Run();
+            for (int size = 0; size < CrowdCullJob.MaxSizes; size++)
+                m_DrawnCount += m_Buffers.counts[size];
+            m_Batches.Draw(m_Insect, m_Buffers, new RenderParams(null)
+            {
+                camera = eye,
+                layer = gameObject.layer,
+                renderingLayerMask = m_RenderingLayers,
+                shadowCastingMode = m_Shadows,
+                receiveShadows = true,
+            });
         }
 
         private bool Prepare()
@@ -208,56 +242,48 @@ namespace Alate.Crowds
             m_Buffers = new CrowdBuffers(m_Count, 2 * CrowdTwins.MaxCount, m_Insect);
             m_Batches = new CrowdBatches();
             m_Twins = new CrowdTwins(gameObject.scene);
+            m_Cameras = new CrowdCameras(gameObject, Draw);
             return true;
         }
 
-        private CrowdJob Job(Camera eye, float seconds)
+        private CrowdShape Shape => new CrowdShape { centre = m_Insect.Bounds.center, radius = m_Insect.Bounds.extents.magnitude };
+
+        private CrowdCullJob CullJob(in CrowdView view)
         {
-            var job = new CrowdJob
+            var job = new CrowdCullJob
             {
-                seconds = seconds,
-                radius = m_Insect.Bounds.extents.magnitude,
-                centre = m_Insect.Bounds.center,
-                culls = eye != null,
+                view = view,
                 sizeCount = m_Insect.Sizes.Count,
-                planes = m_Buffers.planes,
+                sorts = m_Buffers.IsTranslucent,
                 loops = m_Buffers.loops,
                 poses = m_Buffers.poses,
-                sizes = m_Buffers.sizes,
-                counts = m_Buffers.counts,
-                matrices = m_Buffers.matrices,
-                rows = m_Buffers.rows,
-                nextRows = m_Buffers.nextRows,
-                tints = m_Buffers.tints,
-                corners = m_Buffers.corners,
                 hidden = m_Buffers.hidden,
                 hiddenCount = m_Twins.ShownCount,
-                nearest = m_Buffers.nearest,
-                nearestDistances = m_Buffers.nearestDistances,
+                spheres = m_Buffers.spheres,
+                instances = m_Buffers.instances,
+                sizes = m_Buffers.sizes,
+                order = m_Buffers.order,
+                counts = m_Buffers.counts,
+                seen = m_Buffers.seen,
             };
             for (int size = 0; size < job.sizeCount; size++)
                 job.screenHeights[size] = size + 1 < job.sizeCount ? m_Insect.Sizes[size + 1].screenHeight : 0f;
-            if (eye == null)
-                return job;
-            GeometryUtility.CalculateFrustumPlanes(eye, m_Planes);
-            for (int plane = 0; plane < m_Planes.Length; plane++)
-                m_Buffers.planes[plane] = new float4(m_Planes[plane].normal, m_Planes[plane].distance);
-            job.eye = eye.transform.position;
-            job.halfHeight = eye.orthographic ? 0f : Elementary.Tan(0.5f * math.radians(eye.fieldOfView));
-            job.flatHeight = eye.orthographic ? eye.orthographicSize : 0f;
             return job;
         }
 
         private void Free()
         {
             m_Pending.Complete();
+            m_Cameras?.Dispose();
+            m_Batches?.Dispose();
             m_Twins?.Dispose();
             m_Buffers?.Dispose();
+            m_Cameras = null;
             m_Twins = null;
             m_Buffers = null;
             m_Batches = null;
             m_Told = false;
-            DrawnCount = 0;
+            m_DrawnCount = 0;
         }
     }
 }

@@ -10,8 +10,8 @@ using Object = UnityEngine.Object;
 namespace Alate.Benchmarks;
 
 /// <summary>
-/// Cost of a crowd of baked monarchs a frame, its job on the calling thread included, its allocations, and the size of its meshes. Drawing
-/// itself is a stand-in.
+/// Cost of a crowd of baked monarchs a frame, its jobs on the calling thread included, before one camera and two, its allocations, and the
+/// size of its meshes. Drawing itself is a stand-in.
 /// </summary>
 internal static class BakedFigures
 {
@@ -36,15 +36,18 @@ internal static class BakedFigures
             report.Figure(
                 "baked_size_error_percent", $"{size.triangles}", $"mesh of {size.triangles} triangles", "% of wing", 100.0 * size.error);
         }
+        Camera other = new GameObject("other").AddComponent<Camera>();
+        other.transform.position = new Vector3(60f, 0f, 0f);
+        other.transform.rotation = Quaternion.Euler(0f, -90f, 0f);
         foreach (int count in s_Crowds)
-            Measure(report, baked, eye, count);
+            Measure(report, baked, eye, other, count);
         baked.DestroyParts();
         Object.DestroyImmediate(baked);
         ProjectShaders.Clear();
         PlayerLoop.ExitPlayMode();
     }
 
-    private static void Measure(Report report, BakedInsect baked, Camera eye, int count)
+    private static void Measure(Report report, BakedInsect baked, Camera eye, Camera other, int count)
     {
         InsectCrowd crowd = new GameObject("crowd").AddComponent<InsectCrowd>();
         crowd.Insect = baked;
@@ -53,19 +56,32 @@ internal static class BakedFigures
         NativeArray<CrowdPose> poses = crowd.Poses;
         for (int k = 0; k < count; k++)
             poses[k] = CrowdPose.At(new float3(k % 100 - 50f, k / 100 % 10 - 5f, k / 1000), quaternion.RotateY(k), k / (float)count);
-        var frame = new Contestant($"{count} baked", 1000.0, () => crowd.RunFrame(k_FrameTime));
-        double time = Race.Run(frame)[0], drawing = Race.Run(new Contestant($"{count} drawn", 1000.0, crowd.RunDrawing))[0];
+        double[] times = Race.Run(
+            new Contestant($"{count} for a camera", 1000.0, () => Frame(eye)),
+            new Contestant($"{count} for two", 1000.0, () => Frame(eye, other)),
+            new Contestant($"{count} drawn", 1000.0, () => crowd.RunCamera(eye)));
         long before = GC.GetAllocatedBytesForCurrentThread();
         for (int k = 0; k < k_Frames; k++)
-            crowd.RunFrame(k_FrameTime);
+            Frame(eye);
         long garbage = GC.GetAllocatedBytesForCurrentThread() - before;
+        other.enabled = false;
+        PlayerLoop.Tick(k_FrameTime);
+        other.enabled = true;
 
-        string title = $"frame of {count} baked insects, {crowd.DrawnCount} in sight";
-        report.Figure("baked_frame_us", $"{count}", title, "us", time);
-        report.Figure("baked_drawing_us", $"{count}", "  of which filling and making the calls", "us", drawing);
+        string title = $"frame of {count} baked insects for one camera, {crowd.DrawnCount} in sight";
+        report.Figure("baked_frame_us", $"{count}", title, "us", times[0]);
+        report.Figure("baked_camera_us", $"{count}", "  of which the camera, on the main thread", "us", times[2]);
+        report.Figure("baked_two_cameras", $"{count}", "  with a second camera", "times as long", times[1] / times[0]);
         report.Figure("baked_bytes_per_frame", $"{count}", "  allocated", "bytes", garbage / (double)k_Frames);
         report.Figure("baked_draw_calls", $"{count}", "  drawn by", "calls", crowd.DrawCalls);
         report.Figure("baked_triangles", $"{count}", "  triangles", "thousands", crowd.Triangles / 1000.0);
         Object.DestroyImmediate(crowd.gameObject);
+
+        void Frame(params ReadOnlySpan<Camera> cameras)
+        {
+            crowd.RunFrame(k_FrameTime);
+            foreach (Camera camera in cameras)
+                crowd.RunCamera(camera);
+        }
     }
 }

@@ -2,22 +2,26 @@ using System;
 using Unity.Collections;
 using Unity.Mathematics;
 using UnityEngine;
+using UnityEngine.Rendering;
 
 namespace Alate.Crowds
 {
-    /// <summary>Memory of a crowd: poses, and what the shader reads of those in sight. 169 bytes an insect.</summary>
+    /// <summary>
+    /// Memory of a crowd: poses, what the shader reads of each insect, and what the camera sees that draws. 190 bytes an insect, 12 more
+    /// where they are translucent.
+    /// </summary>
     internal sealed class CrowdBuffers : IDisposable
     {
         /// <summary>Bytes of an insect.</summary>
-        public const int BytesPerInsect = 56 + 1 + 64 + 3 * 16;
+        public const int BytesPerInsect = 56 + 16 + 113 + 1 + 4;
 
         public NativeArray<CrowdPose> poses;
+        public NativeArray<float4> spheres;
+        public CrowdInstances instances;
         public NativeArray<byte> sizes;
-        public NativeArray<float4x4> matrices;
-        public NativeArray<float4> rows, nextRows, tints;
-        public NativeArray<int> counts = new NativeArray<int>(CrowdJob.MaxSizes, Allocator.Persistent);
-        public NativeArray<float4> planes = new NativeArray<float4>(6, Allocator.Persistent);
-        public NativeArray<float3> corners = new NativeArray<float3>(2, Allocator.Persistent);
+        public NativeArray<int> seen;
+        public NativeArray<int> counts = new NativeArray<int>(CrowdCullJob.MaxSizes, Allocator.Persistent);
+        public CrowdOrder order;
         public NativeArray<LoopRows> loops;
         public NativeArray<int> hidden = new NativeArray<int>(CrowdTwins.MaxCount, Allocator.Persistent);
         public NativeArray<int> nearest;
@@ -36,13 +40,14 @@ namespace Alate.Crowds
                 nearest[place] = -1;
             poses = new NativeArray<CrowdPose>(count, Allocator.Persistent);
             sizes = new NativeArray<byte>(count, Allocator.Persistent);
-            matrices = new NativeArray<float4x4>(count, Allocator.Persistent);
-            rows = new NativeArray<float4>(count, Allocator.Persistent);
-            nextRows = new NativeArray<float4>(count, Allocator.Persistent);
-            tints = new NativeArray<float4>(count, Allocator.Persistent);
+            seen = new NativeArray<int>(count, Allocator.Persistent);
+            spheres = new NativeArray<float4>(count, Allocator.Persistent);
+            instances = new CrowdInstances(count);
+            order = new CrowdOrder(1);
             m_Insect = insect;
             loops = new NativeArray<LoopRows>(insect.Loops.Count, Allocator.Persistent);
             ReadLoops();
+            ReadMaterials();
         }
 
         /// <summary>Returns true where the memory is that of a crowd as it is now; takes over loops that were baked again.</summary>
@@ -59,36 +64,42 @@ namespace Alate.Crowds
             }
 
             ReadLoops();
+            ReadMaterials();
             return true;
         }
 
-        /// <summary>Box around all that is drawn, world units.</summary>
-        public Bounds Bounds
-        {
-            get
-            {
-                var box = new Bounds();
-                box.SetMinMax(corners[0], corners[1]);
-                return box;
-            }
-        }
+        /// <summary>True where a material is translucent, and what is behind must be drawn before what is in front.</summary>
+        public bool IsTranslucent { get; private set; }
 
         /// <summary>Frees everything.</summary>
         public void Dispose()
         {
             poses.Dispose();
             sizes.Dispose();
-            matrices.Dispose();
-            rows.Dispose();
-            nextRows.Dispose();
-            tints.Dispose();
+            seen.Dispose();
+            spheres.Dispose();
+            instances.Dispose();
             counts.Dispose();
-            planes.Dispose();
-            corners.Dispose();
+            order.Dispose();
             loops.Dispose();
             hidden.Dispose();
             nearest.Dispose();
             nearestDistances.Dispose();
+        }
+
+        private void ReadMaterials()
+        {
+            IsTranslucent = false;
+            for (int k = 0; k < m_Insect.Materials.Count; k++)
+            {
+                Material material = m_Insect.Materials[k];
+                IsTranslucent |= material != null && material.renderQueue > (int)RenderQueue.GeometryLast;
+            }
+
+            if (!IsTranslucent || order.Length >= poses.Length)
+                return;
+            order.Dispose();
+            order = new CrowdOrder(poses.Length);
         }
 
         private void ReadLoops()

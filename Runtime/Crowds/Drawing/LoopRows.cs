@@ -1,3 +1,4 @@
+using Unity.Collections;
 using Unity.Mathematics;
 
 namespace Alate.Crowds
@@ -8,6 +9,9 @@ namespace Alate.Crowds
         public float frequency;
         public int first;
         public int count;
+
+        /// <summary>The loop of a number; the last one for a number that no loop has, below 0 too.</summary>
+        public static LoopRows Of(NativeArray<LoopRows> loops, int loop) => loops[(int)math.min((uint)loop, (uint)loops.Length - 1u)];
 
         /// <summary>The rows before and after a phase, and how far it lies between them.</summary>
         public float3 At(float phase)

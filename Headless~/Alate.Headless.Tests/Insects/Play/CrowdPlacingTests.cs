@@ -146,7 +146,7 @@ namespace Alate.Tests.Play.Headless
         {
             Scene = new CrowdScene("monarch", 2, "cruise");
             yield return null;
-            Assert.That(() => Scene.Crowd.RunFrame(float.NaN), Throws.ArgumentException.With.Message.Contains("CrowdJob.seconds"));
+            Assert.That(() => Scene.Crowd.RunFrame(float.NaN), Throws.ArgumentException.With.Message.Contains("CrowdStepJob.seconds"));
             CrowdSpawner spawner = Scene.Crowd.gameObject.AddComponent<CrowdSpawner>();
             yield return null;
             Assert.That(() => spawner.Advance(float.PositiveInfinity), Throws.InstanceOf<System.ArgumentOutOfRangeException>());

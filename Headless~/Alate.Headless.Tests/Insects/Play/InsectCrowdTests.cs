@@ -189,8 +189,13 @@ namespace Alate.Tests.Play.Headless
             yield return Frames(5);
             long before = GC.GetAllocatedBytesForCurrentThread();
             for (int frame = 0; frame < 3; frame++)
+            {
                 Scene.Crowd.RunFrame(1f / 60f);
+                Scene.Crowd.RunCamera(Scene.Camera);
+            }
+
             long garbage = GC.GetAllocatedBytesForCurrentThread() - before;
+            yield return Frames(2);
 
             Assert.That(garbage, Is.Zero);
             Assert.That(CrowdBuffers.BytesPerInsect, Is.LessThan(200));

@@ -15,6 +15,7 @@ public class Application
     public static bool isEditor => !BuiltPlayer.IsRunning;
     public static bool isBatchMode => true;
     public static bool isFocused => true;
+    public static bool isMobilePlatform => false;
     public static int targetFrameRate { get; set; } = -1;
     public static bool runInBackground { get; set; } = true;
     public static RuntimePlatform platform => RuntimePlatform.LinuxEditor;

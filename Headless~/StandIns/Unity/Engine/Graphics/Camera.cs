@@ -4,9 +4,22 @@ namespace UnityEngine;
 
 public sealed class Camera : Behaviour, IStateful
 {
+    /// <summary>Raised for each camera that draws, before it looks for what it sees; by the built-in pipeline alone.</summary>
+    public static CameraCallback onPreCull;
+
     private static readonly List<Camera> s_Living = [];
+    private readonly Matrix4x4[] _eyeViews = new Matrix4x4[2], _eyeProjections = new Matrix4x4[2];
+    private Matrix4x4? _cullingMatrix;
 
     public Camera() => s_Living.Add(this);
+
+    public delegate void CameraCallback(Camera cam);
+
+    public enum StereoscopicEye
+    {
+        Left = 0,
+        Right = 1,
+    }
 
     public static Camera main => s_Living.Find(c => c.IsUsed && c.Owner.CompareTag("MainCamera"));
     public static Camera current => null;
@@ -46,9 +59,22 @@ public sealed class Camera : Behaviour, IStateful
     public Matrix4x4 worldToCameraMatrix =>
         Matrix4x4.Scale(new Vector3(1f, 1f, -1f)) * Matrix4x4.TRS(transform.position, transform.rotation, Vector3.one).inverse;
 
+    /// <summary>World to the picture, as culled for; the camera's own unless it was set.</summary>
+    public Matrix4x4 cullingMatrix
+    {
+        get => _cullingMatrix ?? projectionMatrix * worldToCameraMatrix;
+        set => _cullingMatrix = value;
+    }
+
+    /// <summary>Scenes that the camera draws alone, a bit each; 0 for those that are loaded.</summary>
+    public ulong overrideSceneCullingMask { get; set; }
+
+    /// <summary>True once both eyes have matrices: there is no headset here.</summary>
+    public bool stereoEnabled => _eyeProjections[0] != default && _eyeProjections[1] != default;
+
     internal static IReadOnlyList<Camera> Living => s_Living;
 
-    private bool IsUsed => EnabledFlag && Owner is { ActiveFlag: true };
+    internal bool IsUsed => EnabledFlag && Owner is { ActiveFlag: true };
 
     public static int GetAllCameras(Camera[] cameras)
     {
@@ -61,6 +87,16 @@ public sealed class Camera : Behaviour, IStateful
 
         return count;
     }
+
+    public void ResetCullingMatrix() => _cullingMatrix = null;
+
+    public Matrix4x4 GetStereoViewMatrix(StereoscopicEye eye) => _eyeViews[(int)eye];
+
+    public Matrix4x4 GetStereoProjectionMatrix(StereoscopicEye eye) => _eyeProjections[(int)eye];
+
+    public void SetStereoViewMatrix(StereoscopicEye eye, Matrix4x4 matrix) => _eyeViews[(int)eye] = matrix;
+
+    public void SetStereoProjectionMatrix(StereoscopicEye eye, Matrix4x4 matrix) => _eyeProjections[(int)eye] = matrix;
 
     public Vector3 WorldToViewportPoint(Vector3 position)
     {

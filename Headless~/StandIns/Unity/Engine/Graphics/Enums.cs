@@ -19,6 +19,13 @@ namespace UnityEngine
 
 namespace UnityEngine.Rendering
 {
+    public enum GraphicsDeviceType
+    {
+        Null = 4,
+        Vulkan = 21,
+        Switch = 22,
+    }
+
     public enum RenderQueue
     {
         Background = 1000,

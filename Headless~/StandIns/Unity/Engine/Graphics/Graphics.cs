@@ -44,6 +44,8 @@ public struct RenderParams
         matProps = null;
         shadowCastingMode = ShadowCastingMode.Off;
         receiveShadows = false;
+        camera = null;
+        renderingLayerMask = 1;
     }
 
     public Material material { get; set; }
@@ -52,6 +54,10 @@ public struct RenderParams
     public MaterialPropertyBlock matProps { get; set; }
     public ShadowCastingMode shadowCastingMode { get; set; }
     public bool receiveShadows { get; set; }
+
+    /// <summary>The camera that draws the call; null for all.</summary>
+    public Camera camera { get; set; }
+    public uint renderingLayerMask { get; set; }
 }
 
 public sealed class GL

@@ -5,6 +5,8 @@ namespace UnityEngine;
 /// <summary>A device that can do what a desktop computer's can.</summary>
 public sealed class SystemInfo
 {
+    public static GraphicsDeviceType graphicsDeviceType => GraphicsDeviceType.Null;
+    public static int maxConstantBufferSize => 65536;
     public static bool supportsInstancing => !Unity.StandIns.PlainDevice.IsInUse;
 
     public static bool SupportsVertexAttributeFormat(VertexAttributeFormat format, int dimension) =>

@@ -8,7 +8,8 @@ using UnityEngine.SceneManagement;
 namespace Unity.StandIns;
 
 /// <summary>
-/// Unity's frame, driven by hand: Start; fixed steps with FixedUpdate; Update, coroutines, LateUpdate, end of frame; destruction.
+/// Unity's frame, driven by hand: Start; fixed steps with FixedUpdate; Update, coroutines, LateUpdate, cameras,
+/// end of frame; destruction.
 /// Scenes are not reloaded when play begins: objects made before go on as they are.
 /// </summary>
 [StandInExtension]
@@ -109,6 +110,7 @@ public static class PlayerLoop
         BehaviourList.Send(s_Update);
         CoroutineSet.ResumeAll(FramePoint.Update);
         BehaviourList.Send(s_LateUpdate);
+        DrawnCameras.DrawAll();
         if (IsPlaying && BehaviourList.AnyHears(s_OnGui))
             DrawnScreen.Draw(s_DrawAll);
         CoroutineSet.ResumeAll(FramePoint.EndOfFrame);

@@ -75,6 +75,9 @@ public sealed partial class GameObject : Object
         }
     }
 
+    /// <summary>Scenes of which it is, a bit each: that of all that are loaded here.</summary>
+    public ulong sceneCullingMask => 1UL << 63;
+
     public int layer
     {
         get

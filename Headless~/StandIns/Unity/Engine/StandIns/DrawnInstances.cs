@@ -7,7 +7,12 @@ namespace Unity.StandIns;
 /// <summary>One call that drew instances of a mesh.</summary>
 [StandInExtension]
 public sealed record DrawnBatch(
-    Mesh Mesh, int Submesh, Material Material, Matrix4x4[] Matrices, IReadOnlyDictionary<string, Vector4[]> Properties);
+    Mesh Mesh, int Submesh, RenderParams Parameters, Matrix4x4[] Matrices, IReadOnlyDictionary<string, Vector4[]> Properties)
+{
+    public Material Material => Parameters.material;
+
+    public Camera Camera => Parameters.camera;
+}
 
 /// <summary>Instances that were drawn, kept while a test looks.</summary>
 [StandInExtension]
@@ -24,6 +29,6 @@ public static class DrawnInstances
         NativeArray<Matrix4x4> matrices = instances.Reinterpret<Matrix4x4>();
         var drawn = new Matrix4x4[count];
         NativeArray<Matrix4x4>.Copy(matrices, start, drawn, 0, count);
-        Calls.Add(new DrawnBatch(mesh, submesh, parameters.material, drawn, parameters.matProps.CopyVectors()));
+        Calls.Add(new DrawnBatch(mesh, submesh, parameters, drawn, parameters.matProps.CopyVectors()));
     }
 }

@@ -1,0 +1,73 @@
+using System.Diagnostics;
+using Unity.Burst;
+using Unity.Collections;
+using Unity.Jobs;
+using Unity.Mathematics;
+
+namespace Alate.Crowds
+{
+    /// <summary>Gathers what the shader reads of the insects of one call, and a box around them.</summary>
+    [BurstCompile]
+    internal struct CrowdGatherJob : IJob
+    {
+        // Input
+        public int start;
+        public int count;
+        [ReadOnly] public NativeArray<int> seen;
+        [ReadOnly] public NativeArray<float4> spheres;
+        [ReadOnly] public NativeArray<float4x4> allMatrices;
+        [ReadOnly] public NativeArray<float4> allRows;
+        [ReadOnly] public NativeArray<float4> allNextRows;
+        [ReadOnly] public NativeArray<float4> allTints;
+
+        // Output
+        public NativeArray<float4x4> matrices;
+        public NativeArray<float4> rows;
+        public NativeArray<float4> nextRows;
+        public NativeArray<float4> tints;
+
+        /// <summary>Lower and upper corner of the box, world.</summary>
+        public NativeArray<float3> corners;
+
+        /// <summary>Sets what is gathered from.</summary>
+        public void From(in CrowdInstances instances)
+        {
+            allMatrices = instances.matrices;
+            allRows = instances.rows;
+            allNextRows = instances.nextRows;
+            allTints = instances.tints;
+        }
+
+        /// <summary>Checks the fields before the job is run.</summary>
+        /// <exception cref="System.ArgumentException">One is out of its range; names it, its value and the range.</exception>
+        [Conditional(JobFields.Checks)]
+        public void Validate()
+        {
+            JobFields.InRange(count, 1, matrices.Length, "CrowdGatherJob.count");
+            JobFields.InRange(start, 0, seen.Length - count, "CrowdGatherJob.start");
+            JobFields.AtLeast(rows.Length, count, "CrowdGatherJob.rows");
+            JobFields.AtLeast(nextRows.Length, count, "CrowdGatherJob.nextRows");
+            JobFields.AtLeast(tints.Length, count, "CrowdGatherJob.tints");
+            JobFields.AtLeast(corners.Length, 2, "CrowdGatherJob.corners");
+        }
+
+        public void Execute()
+        {
+            float4 lower = float.PositiveInfinity, upper = float.NegativeInfinity;
+            for (int k = 0; k < count; k++)
+            {
+                int insect = seen[start + k];
+                matrices[k] = allMatrices[insect];
+                rows[k] = allRows[insect];
+                nextRows[k] = allNextRows[insect];
+                tints[k] = allTints[insect];
+                float4 sphere = spheres[insect];
+                lower = math.min(lower, sphere - sphere.w);
+                upper = math.max(upper, sphere + sphere.w);
+            }
+
+            corners[0] = lower.xyz;
+            corners[1] = upper.xyz;
+        }
+    }
+}
