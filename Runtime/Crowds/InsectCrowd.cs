@@ -239,6 +239,7 @@ namespace Alate.Crowds
                 return false;
             }
 
+            m_Insect.FreeCopies();
             m_Buffers = new CrowdBuffers(m_Count, 2 * CrowdTwins.MaxCount, m_Insect);
             m_Batches = new CrowdBatches();
             m_Twins = new CrowdTwins(gameObject.scene);

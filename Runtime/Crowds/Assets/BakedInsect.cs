@@ -73,6 +73,23 @@ namespace Alate.Crowds
             return made;
         }
 
+        /// <summary>
+        /// Frees the copies of texture and meshes that a player's processor would keep beside those of the graphics device. In the editor
+        /// they stay: assets are written from them.
+        /// </summary>
+        internal void FreeCopies()
+        {
+            if (Application.isEditor)
+                return;
+            if (m_Texture != null && m_Texture.isReadable)
+                m_Texture.Apply(false, true);
+            foreach (CrowdSize size in m_Sizes)
+            {
+                if (size.mesh != null && size.mesh.isReadable)
+                    size.mesh.UploadMeshData(true);
+            }
+        }
+
         /// <summary>Destroys texture, meshes and materials; not for those that are saved as assets.</summary>
         public void DestroyParts()
         {

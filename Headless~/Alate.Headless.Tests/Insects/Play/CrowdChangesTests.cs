@@ -87,6 +87,27 @@ namespace Alate.Tests.Play.Headless
             Assert.That((twin.scene, twin.hideFlags), Is.EqualTo((Scene.Crowd.gameObject.scene, HideFlags.None)));
         }
 
+        [UnityTest]
+        public IEnumerator InAPlayer_TextureAndMeshes_LieOnTheGraphicsDeviceAlone([Values] bool isPlayer)
+        {
+            Scene = new CrowdScene("monarch", 1, "rest");
+            Unity.StandIns.BuiltPlayer.IsRunning = isPlayer;
+            try
+            {
+                yield return Frames(2);
+                Assert.That(Scene.Baked.Texture.isReadable, Is.Not.EqualTo(isPlayer));
+                foreach (CrowdSize size in Scene.Baked.Sizes)
+                    Assert.That(size.mesh.isReadable, Is.Not.EqualTo(isPlayer));
+                Scene.Place(0, CrowdPose.At(default, quaternion.identity));
+                yield return Frames(2);
+                Assert.That(Scene.Crowd.DrawnCount, Is.EqualTo(1));
+            }
+            finally
+            {
+                Unity.StandIns.BuiltPlayer.IsRunning = false;
+            }
+        }
+
         [Test]
         public void Crowds_RunAfterWhatWritesTheirPoses_AndBeforeWings()
         {
