@@ -37,24 +37,26 @@ namespace Alate
                 hash = hash * 31u + (uint)chain.Length;
                 for (int joint = 0; joint < chain.Length; joint++)
                     hash = Mix(hash, chain.joints[joint]);
-                hash = Mix(Mix(Mix(hash, chain.flexuralStiffness), chain.torsionalStiffness) + 1u, chain.veinWidths) - 1u;
+                hash = Mix(Mix(Mix(hash, chain.flexuralStiffness, 1u), chain.torsionalStiffness, 2u), chain.veinWidths, 3u);
             }
 
             m_Hash = hash == 0 ? 1u : hash;
         }
 
-        // Chains of unknown stiffness leave the hash as it is.
-        private static uint Mix(uint hash, float[] values)
+        private static uint Mix(uint hash, float[] values, uint kind)
         {
             for (int k = 0; values != null && k < values.Length; k++)
-                hash = (hash * 0x9E3779B1u + math.asuint(values[k])) * 0x85EBCA77u + (uint)values.Length;
+                hash = Spread((hash * 0x9E3779B1u + math.asuint(values[k])) * 0x85EBCA77u + kind);
             return hash;
         }
+
+        // Round numbers differ in their highest bits alone, which products leave where they are.
+        private static uint Spread(uint hash) => hash ^ hash >> 15;
 
         private static uint Mix(uint hash, Vector3 point)
         {
             uint3 bits = math.asuint((float3)point);
-            return ((hash * 0x9E3779B1u + bits.x) * 0x85EBCA77u + bits.y) * 0xC2B2AE3Du + bits.z;
+            return Spread((Spread(hash * 0x9E3779B1u + bits.x) * 0x85EBCA77u + bits.y) * 0xC2B2AE3Du + bits.z);
         }
     }
 }

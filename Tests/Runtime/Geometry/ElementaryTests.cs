@@ -35,8 +35,13 @@ namespace Alate.Tests
         [Test]
         public void TheExponentialOfAFloat_IsThatOfADouble_AtItsEnds()
         {
-            foreach (float power in new[] { 87f, 87.5f, 88.7f, 88.8f, 95f, 1000f, -87f, -87.5f, -90f, -95f, -95.6f, -96f, -100f, -103f, -104f })
+            foreach (float power in new[]
+            {
+                87f, 87.5f, 88.7f, 88.8f, 95f, 1000f, -87f, -87.5f, -90f, -95f, -95.6f, -96f, -100f, -103f, -104f,
+            })
+            {
                 Assert.That(Elementary.Exp(power), Is.EqualTo((float)Math.Exp(power)).Within(1e-6).Percent, $"e^{power}");
+            }
         }
 
         [Test]

@@ -87,6 +87,23 @@ namespace Alate.Tests
             }
         }
 
+        [TestCase(-100f, true)]
+        [TestCase(-30f, true)]
+        [TestCase(45f, false)]
+        [TestCase(100f, false)]
+        [TestCase(155f, false)]
+        [TestCase(165f, true)]
+        public void OfTwoTurns_TheSecondIsAMotion_WhereItIsLikeTheFirst(float second, bool jumps)
+        {
+            MotionSampler sampler = default;
+            for (int k = 0; k < 3; k++)
+                sampler.Sample(default, Quaternion.identity, k_Step, k_Finest, k_Jump, k_Turn);
+            Assert.That(sampler.Sample(default, Quaternion.Euler(0f, 100f, 0f), k_Step, k_Finest, k_Jump, k_Turn), Is.True);
+            bool isSlow = Mathf.Abs(second) < k_Turn;
+            Assert.That(sampler.Sample(default, Quaternion.Euler(0f, 100f + second, 0f), k_Step, k_Finest, k_Jump, k_Turn),
+                Is.EqualTo(jumps && !isSlow), "one that is slow is none anyway");
+        }
+
         [Test]
         public void WhatIsInterrupted_OrTakesNoTime_KeepsItsVelocity()
         {

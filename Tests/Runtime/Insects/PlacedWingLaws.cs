@@ -9,7 +9,8 @@ namespace Alate.Tests
     public sealed class PlacedWingLaws
     {
         [Test]
-        public void AxesOfAPlacedWing_AreThoseThatAreDrawn([Values(1u, 2u, 3u)] uint seed, [Values] bool left, [Values(1f, -1f)] float mirror)
+        public void AxesOfAPlacedWing_AreThoseThatAreDrawn(
+            [Values(1u, 2u, 3u)] uint seed, [Values] bool left, [Values(1f, -1f)] float mirror)
         {
             var random = Random.CreateFromIndex(seed);
             Quaternion turn = random.NextQuaternionRotation();

@@ -50,7 +50,8 @@ namespace Alate.Tests
         [TestCase(-1f, 2f, 11f, 0f, 2f, 11f)]
         [TestCase(float.PositiveInfinity, float.NaN, float.NegativeInfinity, 0f, 25f, 100f)]
         [TestCase(float.NaN, float.PositiveInfinity, float.NaN, 0f, 25f, 100f)]
-        public void Motion_IsMovedIntoItsRanges(float metres, float distance, float angle, float wantedMetres, float wantedDistance, float wantedAngle)
+        public void Motion_IsMovedIntoItsRanges(
+            float metres, float distance, float angle, float wantedMetres, float wantedDistance, float wantedAngle)
         {
             InsectMotion clamped = new InsectMotion
             {
@@ -71,7 +72,8 @@ namespace Alate.Tests
         [TestCase(1, 23, 12, 24)]
         [TestCase(13, 25, 13, 25)]
         [TestCase(481, 4097, 480, 4096)]
-        public void Quality_IsMovedIntoItsRanges_AndNoughtLeavesThePresetsSubsteps(int substeps, int patches, int wantedSubsteps, int wantedPatches)
+        public void Quality_IsMovedIntoItsRanges_AndNoughtLeavesThePresetsSubsteps(
+            int substeps, int patches, int wantedSubsteps, int wantedPatches)
         {
             InsectQuality quality = InsectQuality.Default;
             quality.substepsPerBeat = substeps;
@@ -114,9 +116,11 @@ namespace Alate.Tests
                     fluidDensity = 7f,
                     gravityShare = value,
                 }.Clamped();
-                Assert.That(new[] { size.wingLength, size.wingMass, size.insectMass, size.gravityShare, size.fluidDensity }, Is.EqualTo(most
-                    ? new[] { WingBounds.WingLength.Max, WingBounds.WingMass.Max, WingBounds.InsectMass.Max, WingBounds.GravityShare.Max, 7f }
-                    : new[] { WingBounds.WingLength.Min, WingBounds.WingMass.Min, WingBounds.InsectMass.Min, WingBounds.GravityShare.Min, 7f }));
+                Assert.That(size.wingLength, Is.EqualTo(most ? WingBounds.WingLength.Max : WingBounds.WingLength.Min));
+                Assert.That(size.wingMass, Is.EqualTo(most ? WingBounds.WingMass.Max : WingBounds.WingMass.Min));
+                Assert.That(size.insectMass, Is.EqualTo(most ? WingBounds.InsectMass.Max : WingBounds.InsectMass.Min));
+                Assert.That(size.gravityShare, Is.EqualTo(most ? WingBounds.GravityShare.Max : WingBounds.GravityShare.Min));
+                Assert.That(size.fluidDensity, Is.EqualTo(7f));
             }
         }
 

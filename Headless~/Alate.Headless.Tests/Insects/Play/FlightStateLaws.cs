@@ -9,7 +9,7 @@ using UnityEngine.TestTools;
 
 namespace Alate.Tests.Play
 {
-    /// <summary>What an insect that flies says of itself, and what it keeps when it is moved or built again.</summary>
+    /// <summary>Readings of an insect that flies, and its motion when it is moved or built again.</summary>
     public sealed class FlightStateLaws : FlightFixture
     {
         private const float k_Unit = InsectDefinition.UnitsPerMetre;

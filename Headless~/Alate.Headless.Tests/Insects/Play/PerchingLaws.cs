@@ -50,7 +50,7 @@ namespace Alate.Tests.Play
             var normal = math.normalize(new float3(0.3f, 1f, -0.2f));
             var spot = new PerchSpot { position = s_Spot, normal = normal, heading = 0.7f };
             float3 away = math.cross(normal, new float3(0f, 0f, 1f)), from = s_Spot + units * (height * normal + 0.1f * away);
-            quaternion turned = math.mul(quaternion.AxisAngle(new float3(0f, 1f, 0f), 2f), quaternion.AxisAngle(new float3(1f, 0f, 0f), 0.5f));
+            quaternion turned = math.mul(quaternion.RotateY(2f), quaternion.RotateX(0.5f));
             float3 velocity = speed * math.normalize(new float3(-0.4f, -1f, 0.5f));
             FlyingBody body = default;
             body.rotation = turned;

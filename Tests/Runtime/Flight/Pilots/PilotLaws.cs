@@ -51,7 +51,8 @@ namespace Alate.Tests.Play
                 + 0.3f * 0.5f * (middle - situation.position) / sight);
             view.count = 0;
             Expect(pilot, situation, view, own);
-            view = new FlockView { count = 1, velocity = k_Unit * situation.referenceVelocity, centre = situation.position + 100f * sight * ahead };
+            view = new FlockView { count = 1, velocity = k_Unit * situation.referenceVelocity };
+            view.centre = situation.position + 100f * sight * ahead;
             float3 far = own + 0.15f * new float3(1f, 0f, 1f);
             Expect(pilot, situation, view, 1.3f * 0.5f * math.normalize(far));
             view.centre = situation.position - 100f * sight * ahead;

@@ -24,7 +24,8 @@ namespace Alate.Tests
         [TestCase(0f, -0.41f, 2)]
         public void APart_BelongsToAWholeThatItLiesOver(float x, float z, int groups)
         {
-            var shapes = new List<WingShape> { Box(s_Middle + new Vector3(x, 3f, z), new Vector3(0.8f, 0.01f, 0.4f)), Box(s_Middle, s_Size) };
+            WingShape part = Box(s_Middle + new Vector3(x, 3f, z), new Vector3(0.8f, 0.01f, 0.4f));
+            var shapes = new List<WingShape> { part, Box(s_Middle, s_Size) };
             Assert.That(WingGroup.Divide(shapes, out int[] owners), Is.EqualTo(groups));
             Assert.That(owners[0] == owners[1], Is.EqualTo(groups == 1));
         }
@@ -38,7 +39,8 @@ namespace Alate.Tests
         [TestCase(-0.3f, 1.8f, 2)]
         public void APartThatSticksOut_IsOneOfItsOwn(float z, float length, int groups)
         {
-            var shapes = new List<WingShape> { Box(s_Middle, s_Size), Box(s_Middle + new Vector3(0f, 0f, z), new Vector3(1f, 0.1f, length)) };
+            WingShape part = Box(s_Middle + new Vector3(0f, 0f, z), new Vector3(1f, 0.1f, length));
+            var shapes = new List<WingShape> { Box(s_Middle, s_Size), part };
             Assert.That(WingGroup.Divide(shapes, out _), Is.EqualTo(groups));
         }
 
@@ -86,7 +88,8 @@ namespace Alate.Tests
             Assert.That(MirrorPairs.Of(new List<WingCandidate> { small, smallLeft, fore, foreLeft }),
                 Is.EqualTo(new[] { fore, foreLeft, small, smallLeft }).Or.EqualTo(new[] { foreLeft, fore, smallLeft, small })
                     .Or.EqualTo(new[] { fore, foreLeft, smallLeft, small }).Or.EqualTo(new[] { foreLeft, fore, small, smallLeft }));
-            Assert.That(MirrorPairs.Of(new List<WingCandidate> { leaf, leafLeft, fore, foreLeft }), Is.EquivalentTo(new[] { fore, foreLeft }));
+            Assert.That(
+                MirrorPairs.Of(new List<WingCandidate> { leaf, leafLeft, fore, foreLeft }), Is.EquivalentTo(new[] { fore, foreLeft }));
             Assert.That(MirrorPairs.Of(new List<WingCandidate> { small, smallLeft, fore, foreLeft, hind, hindLeft }),
                 Is.EquivalentTo(new[] { fore, foreLeft, hind, hindLeft }), "two pairs at most");
         }

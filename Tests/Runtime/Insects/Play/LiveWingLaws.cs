@@ -8,7 +8,7 @@ using UnityEngine.TestTools;
 
 namespace Alate.Tests.Play
 {
-    /// <summary>Wings while they live: the parameters they are stepped with, the room they are given, and when they are built again.</summary>
+    /// <summary>Wings while they live: parameters they are stepped with, room they are given, and when they are built again.</summary>
     public sealed class LiveWingLaws : FlockFixture
     {
         [UnityTest]
@@ -30,7 +30,8 @@ namespace Alate.Tests.Play
             Assert.That(Apply(0.5f, out WingParameters parameters), Is.True);
             Assert.That(wing.values, Is.SameAs(presets.Of(preset)));
             Assert.That(parameters.maxFrequency, Is.EqualTo(2f * plain.maxFrequency));
-            Assert.That(parameters.amplitudeScale, Is.EqualTo(0.25f * plain.amplitudeScale).Within(1e-6f), "its own, and how far it has faded");
+            Assert.That(
+                parameters.amplitudeScale, Is.EqualTo(0.25f * plain.amplitudeScale).Within(1e-6f), "its own, and how far it has faded");
             Assert.That(parameters.phaseLead, Is.EqualTo(plain.phaseLead + 0.5f * math.PI).Within(1e-6f));
             Assert.That(parameters.substepsPerBeat, Is.EqualTo(40));
             Assert.That(Apply(0.5f, out parameters), Is.False, "nothing was changed");
@@ -158,8 +159,10 @@ namespace Alate.Tests.Play
 
             Assert.That(WingList.SamePart(kept, found[0]));
             Assert.That(WingList.SamePart(kept, gone) || WingList.SamePart(kept, null) || WingList.SamePart(null, kept), Is.False);
-            Assert.That(WingList.SamePart(found[1], new Wing { Renderer = c, Part = WingPart.ConnectedPart, Point = Vector3.one }));
-            Assert.That(WingList.SamePart(found[1], new Wing { Renderer = c, Part = WingPart.ConnectedPart, Point = Vector3.up }), Is.False);
+            var same = new Wing { Renderer = c, Part = WingPart.ConnectedPart, Point = Vector3.one };
+            Assert.That(WingList.SamePart(found[1], same));
+            same.Point = Vector3.up;
+            Assert.That(WingList.SamePart(found[1], same), Is.False);
             Assert.That(WingList.SamePart(new Wing { Renderer = a, Submesh = 1 }, new Wing { Renderer = a, Point = Vector3.one }),
                 "of whole meshes the renderer counts");
             Assert.That(WingList.SamePart(new Wing { Renderer = a }, new Wing { Renderer = b }), Is.False);

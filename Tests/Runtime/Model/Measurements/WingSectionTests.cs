@@ -124,5 +124,24 @@ namespace Alate.Tests
             Assert.That(math.length(wave), Is.EqualTo(0.3f).Within(1e-4f));
             Assert.That(math.atan2(wave.y, wave.x), Is.EqualTo(0.8f).Within(1e-4f));
         }
+
+        // Of two waves the second follows the first by the difference of their phases, the shorter way round; what hardly swings follows
+        // nothing.
+        [Test]
+        public void AWave_FollowsAnother_ByTheShorterWayRound(
+            [Values(-2.9f, -1f, 0f, 2f, 3f)] float first, [Values(-3f, 0.5f, 2.8f)] float second)
+        {
+            var beat = new List<BeatFrame>();
+            for (int k = 0; k < 40; k++)
+                beat.Add(new BeatFrame(2f * math.PI * k / 40f, quaternion.identity, null));
+            float behind = EdgeLag.Behind(
+                beat, frame => 0.3f * math.cos(frame.Phase - first), frame => 1f + 0.7f * math.cos(frame.Phase - second));
+            Assert.That(math.abs(behind), Is.LessThanOrEqualTo(math.PI));
+            Assert.That(math.cos(behind - (second - first)), Is.EqualTo(1f).Within(1e-5f));
+            Assert.That(EdgeLag.Behind(beat, frame => 0.9e-5f * math.cos(frame.Phase), frame => math.cos(frame.Phase - 1f)), Is.Zero);
+            Assert.That(EdgeLag.Behind(beat, frame => math.cos(frame.Phase), frame => 0.9e-5f * math.cos(frame.Phase - 1f)), Is.Zero);
+            Assert.That(EdgeLag.Behind(beat, frame => 1.1e-5f * math.cos(frame.Phase), frame => math.cos(frame.Phase - 1f)),
+                Is.EqualTo(1f).Within(1e-2f));
+        }
     }
 }
