@@ -82,13 +82,13 @@ namespace Alate.Tests
         [Test]
         public void ARimThatCrossesItself_OrPassesThroughAPoint_IsRefused()
         {
-            var crossing = new[]
+            PlanPoint[] crossing = new[]
             {
                 new PlanPoint(0, 0), new PlanPoint(4, 4), new PlanPoint(4, 0.3), new PlanPoint(0, 4), new PlanPoint(1, 2),
             };
             Assert.That(() => DelaunayTriangulation.Inside(crossing, 4),
                 Throws.ArgumentException.With.Message.EqualTo("The rim of the mesh crosses itself."));
-            var through = new[] { new PlanPoint(0, 0), new PlanPoint(4, 0), new PlanPoint(4, 4), new PlanPoint(0, 4), new PlanPoint(2, 0) };
+            PlanPoint[] through = new[] { new PlanPoint(0, 0), new PlanPoint(4, 0), new PlanPoint(4, 4), new PlanPoint(0, 4), new PlanPoint(2, 0) };
             Assert.That(() => DelaunayTriangulation.Inside(through, 4), Throws.ArgumentException.With.Message.Contains("rim of the mesh"));
         }
 

@@ -38,7 +38,7 @@ namespace Alate.Tests
         public void AWingThatIsScaledUnevenly_HasAxesAtRightAngles([Values(1u, 2u, 3u, 4u)] uint seed)
         {
             var random = Random.CreateFromIndex(seed);
-            var matrix = Matrix4x4.TRS(random.NextFloat3(), random.NextQuaternionRotation(), random.NextFloat3(0.3f, 3f))
+            Matrix4x4 matrix = Matrix4x4.TRS(random.NextFloat3(), random.NextQuaternionRotation(), random.NextFloat3(0.3f, 3f))
                 * Matrix4x4.Rotate(random.NextQuaternionRotation());
             WingFrame frame = Frame(seed % 2 == 0);
             var placed = new PlacedWing(matrix, frame);

@@ -42,7 +42,7 @@ namespace Alate.Tests.Play
             InsectFlight flight = Hatch(), twin = Hatch();
             twin.Velocity = flight.Velocity = new Vector3(0f, 0f, 0.8f);
             yield return Frames(80);
-            Quaternion turn = Quaternion.Euler(0f, degrees, 0f);
+            var turn = Quaternion.Euler(0f, degrees, 0f);
             Transform moved = flight.transform;
             Vector3 by = new Vector3(30f, -4f, 7f), from = moved.position;
             moved.SetPositionAndRotation(from + by, turn * moved.rotation);

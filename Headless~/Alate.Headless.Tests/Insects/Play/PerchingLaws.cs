@@ -47,7 +47,7 @@ namespace Alate.Tests.Play
         public IEnumerator TheWayDown_IsASmoothStep_OnceTheWingsAreRaised(
             [Values(0.02f, 0.055f, 0.2f, 1f)] float height, [Values(0f, 0.3f, 2f)] float speed, [Values(1f, 10f)] float units)
         {
-            var normal = math.normalize(new float3(0.3f, 1f, -0.2f));
+            float3 normal = math.normalize(new float3(0.3f, 1f, -0.2f));
             var spot = new PerchSpot { position = s_Spot, normal = normal, heading = 0.7f };
             float3 away = math.cross(normal, new float3(0f, 0f, 1f)), from = s_Spot + units * (height * normal + 0.1f * away);
             quaternion turned = math.mul(quaternion.RotateY(2f), quaternion.RotateX(0.5f));
@@ -156,7 +156,7 @@ namespace Alate.Tests.Play
         [UnityTest]
         public IEnumerator WhilePushed_TheBodyTurns_FromItsSeatToItsBob()
         {
-            var normal = math.normalize(new float3(0.4f, 1f, 0.3f));
+            float3 normal = math.normalize(new float3(0.4f, 1f, 0.3f));
             Perching perching = Seated(normal, 1f, k_Clearance, 1f, out FlyingBody sitting);
             ref FlyingBody body = ref m_World.Body(new BodyHandle(0, 1));
             body.rotation = sitting.rotation;
@@ -221,9 +221,9 @@ namespace Alate.Tests.Play
         [UnityTest]
         public IEnumerator ACarriedOne_IsWhereTheOtherIs_MovedAndTurned([Values(0, 20, 60, 400)] int steps, [Values] bool starts)
         {
-            var normal = math.normalize(new float3(0.3f, 1f, 0.1f));
+            float3 normal = math.normalize(new float3(0.3f, 1f, 0.1f));
             float3 from = new float3(0.5f, 1f, -2f), to = new float3(-4f, 2f, 6f);
-            quaternion turn = quaternion.AxisAngle(new float3(0f, 1f, 0f), 0.9f);
+            var turn = quaternion.AxisAngle(new float3(0f, 1f, 0f), 0.9f);
             FlyingBody body = default, other;
             body.rotation = quaternion.AxisAngle(new float3(0f, 1f, 0f), -1f);
             body.velocity = new float3(0.2f, 0.1f, -0.3f);

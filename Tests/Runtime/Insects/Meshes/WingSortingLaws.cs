@@ -125,7 +125,7 @@ namespace Alate.Tests
         [Test]
         public void APartWithoutArea_IsOnNeitherSide_AndNoSheet()
         {
-            var positions = new[] { new Vector3(1f, 0f, 0f), new Vector3(2f, 0f, 0f), new Vector3(5f, 0f, 0f) };
+            Vector3[] positions = new[] { new Vector3(1f, 0f, 0f), new Vector3(2f, 0f, 0f), new Vector3(5f, 0f, 0f) };
             var shape = WingShape.Of(positions, new MeshSelection(new[] { 0, 1, 2 }, new[] { 0, 1, 2 }), Matrix4x4.identity);
             Assert.That((shape.area, shape.rightShare, shape.isSheet, shape.Side), Is.EqualTo((0f, 0.5f, false, (WingSide?)null)));
             Assert.That(shape.centroid, Is.EqualTo(new Vector3(3f, 0f, 0f)), "the middle of its box");
