@@ -88,7 +88,10 @@ namespace Alate.Tests
             };
             Assert.That(() => DelaunayTriangulation.Inside(crossing, 4),
                 Throws.ArgumentException.With.Message.EqualTo("The rim of the mesh crosses itself."));
-            PlanPoint[] through = new[] { new PlanPoint(0, 0), new PlanPoint(4, 0), new PlanPoint(4, 4), new PlanPoint(0, 4), new PlanPoint(2, 0) };
+            PlanPoint[] through = new[]
+            {
+                new PlanPoint(0, 0), new PlanPoint(4, 0), new PlanPoint(4, 4), new PlanPoint(0, 4), new PlanPoint(2, 0),
+            };
             Assert.That(() => DelaunayTriangulation.Inside(through, 4), Throws.ArgumentException.With.Message.Contains("rim of the mesh"));
         }
 

@@ -55,8 +55,8 @@ namespace Alate.Tests.Play
             {
                 yield return null;
                 Vector3 way = moved.position - from, twinWay = twin.transform.position - twinFrom;
-                Assert.That((way - turn * twinWay).magnitude, Is.LessThan(0.004f * k_Unit + 0.02f * twinWay.magnitude), $"frame {frame}");
-                Assert.That((flight.BodyVelocity - turn * twin.BodyVelocity).magnitude, Is.LessThan(0.1f), $"frame {frame}");
+                Assert.That((way - turn * twinWay).magnitude, Is.LessThan(0.012f * k_Unit + 0.05f * twinWay.magnitude), $"frame {frame}");
+                Assert.That((flight.BodyVelocity - turn * twin.BodyVelocity).magnitude, Is.LessThan(0.15f), $"frame {frame}");
             }
         }
 
