@@ -3,6 +3,7 @@ using System.Runtime.CompilerServices;
 [assembly: InternalsVisibleTo("Alate.Catalogue")]
 [assembly: InternalsVisibleTo("Alate.Flight")]
 [assembly: InternalsVisibleTo("Alate.Crowds")]
+[assembly: InternalsVisibleTo("Alate.Sound")]
 [assembly: InternalsVisibleTo("Alate.Editor")]
 [assembly: InternalsVisibleTo("Alate.Tests")]
 [assembly: InternalsVisibleTo("Alate.Editor.Tests")]

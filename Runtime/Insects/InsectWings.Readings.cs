@@ -113,6 +113,22 @@ namespace Alate
                 * (live.values.size.wingMass * live.values.size.wingLength * live.values.size.wingLength);
         }
 
+        /// <summary>Power that all wings of the real insect give to the air, watts; mean over the last step.</summary>
+        public float AirPower
+        {
+            get
+            {
+                float sum = 0f;
+                for (int wing = 0; Live != null && wing < Live.wings.Length; wing++)
+                {
+                    PresetSize size = Live.wings[wing].values.size;
+                    sum += Read(wing).AirPower * (size.wingMass * size.wingLength * size.wingLength);
+                }
+
+                return sum;
+            }
+        }
+
         /// <summary>
         /// Largest stretch of any wing's membrane between its joints, in the last step; 0.1 is 10 %. Wings look torn above 0.1.
         /// </summary>

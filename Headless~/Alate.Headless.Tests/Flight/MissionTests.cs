@@ -48,6 +48,29 @@ namespace Alate.Tests.FreeFlights
             [Values("swallowtail", "firefly", "fishfly", "painted-lichen-moth", "dragonfly")] string species) =>
             MeetAGust(species);
 
+        [Test]
+        public void TheBodysPower_IsThatOfItsWings_AndAsMuchAsTheAirTakesFromThem()
+        {
+            using var insect = new FlyingInsect("monarch");
+            using var flight = new FreeFlight(insect.Model, insect.Table);
+            double mean = 0.0;
+            for (int step = 0; step < 50; step++)
+            {
+                flight.Step(FlightCommand.Fly(default, 0f), 0.02f);
+                double sum = 0.0;
+                for (int wing = 0; wing < flight.Wings.Count; wing++)
+                {
+                    FlightWing flown = insect.Model.Wings[wing];
+                    sum += flight.World.Read(flight.Wings[wing]).AirPower * (flown.Mass * flown.Length * flown.Length);
+                }
+
+                Assert.That(sum, Is.EqualTo(flight.Power).Within(1e-4).Percent.Or.EqualTo(flight.Power).Within(1e-7));
+                mean += sum / 50.0;
+            }
+
+            Assert.That(mean, Is.InRange(1e-3, 50e-3), "watts");
+        }
+
         private static void Hover(string species)
         {
             using var insect = new FlyingInsect(species);

@@ -4,6 +4,7 @@ using System.Linq;
 using System.Reflection;
 using Alate.Crowds;
 using Alate.Flight;
+using Alate.Sound;
 using NUnit.Framework;
 using UnityEngine;
 
@@ -31,6 +32,7 @@ namespace Alate.Tests
             (typeof(InsectCrowd), "crowds", "Crowds"),
             (typeof(CrowdSpawner), "crowds", "Crowds"),
             (typeof(FlockCrowd), "crowds", "Crowds"),
+            (typeof(InsectHum), "sound", "Insect Hum"),
         ];
 
         /// <summary>Headings of the columns that may have the ends of a slider.</summary>

@@ -14,5 +14,8 @@ namespace Alate
 
         /// <summary>Order after everything that moves insects, at the end of FixedUpdate and LateUpdate.</summary>
         public const int WingSystem = 31000;
+
+        /// <summary>Order of what reads the wings once they have moved.</summary>
+        public const int AfterWings = 31100;
     }
 }

@@ -41,8 +41,9 @@ namespace Alate
             pack.readings->airMoment += moment;
             pack.air->force = force;
             pack.air->moment = moment;
-            if (pack.carries)
-                pack.air->power = Power(pack, scratch);
+            float4 power = Power(pack, scratch);
+            pack.readings->airPower += power;
+            pack.air->power = power;
         }
 
         // What the wing gives to the air: less force times velocity, the driven one and that of the deformation.

@@ -175,7 +175,7 @@ namespace Alate
 
     /// <summary>Readings of four wings after their last step.</summary>
     /// <remarks>
-    /// 40 bytes a wing, apart from the state: the main thread reads them between steps, and kernels add to them once a substep.
+    /// 44 bytes a wing, apart from the state: the main thread reads them between steps, and kernels add to them once a substep.
     /// </remarks>
     internal struct PackReadings
     {
@@ -187,6 +187,9 @@ namespace Alate
         /// L²/s².
         /// </summary>
         public SoaFloat3 airMoment;
+
+        /// <summary>Power that the wing gives to the air, mean over the substeps of the last step, wing mass · L²/s³.</summary>
+        public float4 airPower;
 
         /// <summary>Spring energy (Eq. 12) at the end, wing mass · L²/s².</summary>
         public float4 springEnergy;

@@ -47,6 +47,7 @@ namespace Alate
             pack.readings->resets += math.select(0f, 1f, lanes);
             Clear(&pack.readings->airForce, lanes);
             Clear(&pack.readings->airMoment, lanes);
+            pack.readings->airPower = math.select(pack.readings->airPower, 0f, lanes);
         }
 
         /// <summary>Finds the wings with a joint, deviation or bend rate that is not a number or infinite.</summary>

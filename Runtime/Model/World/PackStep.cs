@@ -175,6 +175,7 @@ namespace Alate
             PackSlots.Begin(ref pack);
             pack.readings->airForce = default;
             pack.readings->airMoment = default;
+            pack.readings->airPower = default;
             pack.readings->newtonIterations = default;
         }
 
@@ -184,6 +185,7 @@ namespace Alate
             float4 mean = 1f / pack.substeps;
             pack.readings->airForce *= mean;
             pack.readings->airMoment *= mean;
+            pack.readings->airPower *= mean;
             pack.readings->newtonIterations *= mean;
             pack.readings->springEnergy = SpringEnergy.Elastic(pack, pack.pose, out pack.readings->stretch);
         }

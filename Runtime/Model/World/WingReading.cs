@@ -58,6 +58,9 @@ namespace Alate
         /// </summary>
         public float3 AirMoment => Readings->airMoment[m_Lane];
 
+        /// <summary>Power that the wing gives to the air, mean over the last step, wing masses · L²/s³.</summary>
+        public float AirPower => Readings->airPower[m_Lane];
+
         /// <summary>Spring energy (Eq. 12), wing masses · L²/s².</summary>
         public float SpringEnergy => Readings->springEnergy[m_Lane];
 

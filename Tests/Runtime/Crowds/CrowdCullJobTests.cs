@@ -277,7 +277,7 @@ namespace Alate.Tests.Crowds
         [Test]
         public void EachFieldOfACallOutOfRange_IsNamed()
         {
-            CrowdPose pose = CrowdPose.At(default, quaternion.identity);
+            var pose = CrowdPose.At(default, quaternion.identity);
             CrowdCullJob culled = Run(CullJob(new[] { pose, pose }));
             Assert.That(() => GatherJob(culled, 0, 2).Validate(), Throws.Nothing);
             CrowdGatherJob job = GatherJob(culled, 1, 2);

@@ -40,7 +40,7 @@ namespace Alate.Tests
             }
 
             JointChain[] chains = m_Skeleton.Chains, kept = (JointChain[])chains.Clone();
-            var values = new[] { 0.25f, 0.5f, 0.75f };
+            float[] values = new[] { 0.25f, 0.5f, 0.75f };
             foreach (Action edit in new Action[]
             {
                 () => chains[1].flexuralStiffness = values, () => chains[1].torsionalStiffness = values,
