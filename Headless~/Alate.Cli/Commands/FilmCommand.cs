@@ -33,10 +33,19 @@ internal static class FilmCommand
             "--width", "N", FilmPlan.LeastWidth, FilmPlan.MostWidth,
             $"Pixels from side to side, {FilmPlan.LeastWidth} to {FilmPlan.MostWidth}. [default: {FilmPlan.DefaultWidth}]");
         Option<PictureView?> view = FlightOptions.View();
+        var sound = new Option<string>("--sound")
+        {
+            HelpName = "FILE.wav",
+            Description = "Writes the hum of the wings too, as long as the film: a WAV file, in the insect's own time.",
+        };
+        var slowSound = new Option<bool>("--slow-sound")
+        {
+            Description = "With --sound: as slow as the film. Few insects beat fast enough to be heard so.",
+        };
         var folder = new Option<string>("--out") { HelpName = "DIR", Description = "Where the files go. [default: out/SPECIES-film]" };
         var command = new Command("film", "Films an insect in slow motion: an animated picture, and its frames.")
         {
-            species, variant, speed, free, compare, beats, frames, rate, turn, width, view, folder,
+            species, variant, speed, free, compare, beats, frames, rate, turn, width, view, sound, slowSound, folder,
         };
         HelpExamples.Set(command, k_Examples);
         command.SetAction(parsed =>
@@ -44,6 +53,8 @@ internal static class FilmCommand
             bool isFree = parsed.GetValue(free);
             if (isFree && (parsed.GetValue(compare) || parsed.GetValue(variant) != null || parsed.GetValue(speed) != null))
                 throw new UserException("--free flies with the variant flight; it takes neither --compare, --variant nor --speed.");
+            if (parsed.GetValue(slowSound) && parsed.GetValue(sound) == null)
+                throw new UserException("--slow-sound needs --sound FILE.wav.");
             InsectVariant shown = isFree ? InsectVariant.Flight : parsed.GetValue(variant) ?? InsectVariant.Standard;
             InsectDefinition insect = KnownSpecies.Find(parsed.GetValue(species), shown);
             var flight = FlightPlan.Cruise(insect, shown);
@@ -62,6 +73,8 @@ internal static class FilmCommand
                 Rate = parsed.GetValue(rate) ?? FilmPlan.DefaultRate,
                 Turn = parsed.GetValue(turn),
                 Width = parsed.GetValue(width) ?? FilmPlan.DefaultWidth,
+                SoundFile = parsed.GetValue(sound),
+                IsSoundSlow = parsed.GetValue(slowSound),
             };
             Run(plan, parsed.GetValue(folder) ?? Path.Combine("out", insect.Name + "-film"), output);
             return 0;
@@ -72,6 +85,8 @@ internal static class FilmCommand
     private static void Run(FilmPlan plan, string path, TextWriter output)
     {
         using var folder = OutputFolder.Prepare(path, k_Film);
+        if (plan.SoundFile != null)
+            OutputFile.Check(plan.SoundFile);
         var terminal = new Terminal(output);
         int count = plan.Beats * plan.Frames;
         terminal.ShowProgress(count, (done, stage) =>
@@ -87,16 +102,20 @@ internal static class FilmCommand
                 folder.Write(Path.Combine("frames", $"{k + 1:0000}.png"),
                     stream => stream.Write(IndexedPng.Write(film.Size.x, film.Size.y, frame, [])));
             }
+            if (plan.SoundFile != null)
+                OutputFile.Write(plan.SoundFile, stream => WavFile.Write(stream, film.Sound(), FilmSound.Rate));
         });
         folder.Commit();
-        terminal.ShowFiles(path, k_Film, Path.Combine("frames", $"0001.png … {count:0000}.png"));
+        string numbered = Path.Combine("frames", $"0001.png … {count:0000}.png");
+        terminal.ShowFiles(path, plan.SoundFile == null ? [k_Film, numbered] : [k_Film, numbered, Path.GetFullPath(plan.SoundFile)]);
     }
 
     private const string k_Examples =
         "Examples:\n"
         + "  film monarch --variant expressive --turn 360 --beats 4\n"
         + "  film fishfly --compare --width 1200\n"
-        + "  film monarch --free\n\n"
+        + "  film monarch --free\n"
+        + "  film dragonfly --sound dragonfly.wav\n\n"
         + "Writes into the output folder:\n"
         + "  film.png         the film, an animated PNG that browsers and README pages play in a loop, with --free once\n"
         + "  frames/0001.png  its frames, for 'ffmpeg -framerate 24 -i frames/%04d.png film.mp4'\n\n"

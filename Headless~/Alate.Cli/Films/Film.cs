@@ -85,6 +85,11 @@ internal sealed class Film
             [title, .. m_Plan.Columns.Count > 1 ? m_Plan.Columns.Select(column => column.Title) : []]);
     }
 
+    /// <summary>Sound of the last column, as long as the film.</summary>
+    public float[] Sound() => FilmSound.Of(
+        m_Flights[^1], m_Plan.IsSoundSlow ? (double)m_Plan.Rate / m_Plan.Frames : m_Flights[^1].Wings[0].Frequency,
+        (double)Count / m_Plan.Rate);
+
     // One for each column, all of one scale.
     private List<StripPanel> Panels(List<(float2 Min, float2 Max)> bounds)
     {

@@ -26,6 +26,12 @@ internal sealed record FilmPlan
     /// <summary>Degrees by which the camera goes around the insect in the film.</summary>
     public double Turn { get; init; }
 
+    /// <summary>File that takes the sound; null for none.</summary>
+    public string SoundFile { get; init; }
+
+    /// <summary>True where the sound is as slow as the film, else it is that of the insect.</summary>
+    public bool IsSoundSlow { get; init; }
+
     /// <summary>Pixels.</summary>
     public int Width { get; init; } = DefaultWidth;
 }

@@ -14,7 +14,7 @@ namespace Alate.Tests.Architecture
             [
                 "Alate", "Alate.Authoring", "Alate.Catalogue", "Alate.Crowds", "Alate.Drawing", "Alate.Fitting", "Alate.Flight",
                 "Alate.Formats",
-                "Alate.Geometry", "Alate.Model",
+                "Alate.Geometry", "Alate.Model", "Alate.Sound",
             ],
         };
 
@@ -27,6 +27,7 @@ namespace Alate.Tests.Architecture
                     ["Gltf"] = [],
                     ["Meshes"] = [],
                     ["Png"] = [],
+                    ["Sound"] = [],
                     ["Tables"] = [],
                 },
                 ["Alate.Drawing"] = new Dictionary<string, string[]>

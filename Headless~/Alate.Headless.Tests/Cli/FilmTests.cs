@@ -1,5 +1,9 @@
+using System;
 using System.IO;
 using System.Linq;
+using System.Text;
+using Alate.Catalogue;
+using Alate.Cli;
 using NUnit.Framework;
 using Unity.StandIns;
 
@@ -32,9 +36,62 @@ namespace Alate.Tests.Cli
             {
                 // Each file has a palette of its own.
                 double off = film.Frames[k].Zip(frames[k].Pixels, (a, b) =>
-                    (double)System.Math.Abs(a.r - b.r) + System.Math.Abs(a.g - b.g) + System.Math.Abs(a.b - b.b)).Average();
+                    (double)Math.Abs(a.r - b.r) + System.Math.Abs(a.g - b.g) + System.Math.Abs(a.b - b.b)).Average();
                 Assert.That(off, Is.LessThan(3.0), $"frame {k}: shades of all channels");
             }
+        }
+
+        [TestCase(false)]
+        [TestCase(true)]
+        public void TheSound_IsAsLongAsTheFilm_AndBeatsAsTheInsect_OrAsSlowAsTheFilm(bool isSlow)
+        {
+            using var run = new CommandRun();
+            string file = Path.Combine(run.Folder, "hum.wav");
+            string[] words = ["film", "dragonfly", "--frames", "4", "--beats", "6", "--rate", "12", "--width", "120", "--out", run.Out,
+                "--sound", file, .. isSlow ? ["--slow-sound"] : Array.Empty<string>()];
+            Assert.That(run.Run(words), Is.Zero, run.Errors);
+            Assert.That(run.Output, Does.Contain(file));
+
+            byte[] bytes = File.ReadAllBytes(file);
+            Assert.That(Encoding.ASCII.GetString(bytes, 0, 4) + Encoding.ASCII.GetString(bytes, 8, 8), Is.EqualTo("RIFFWAVEfmt "));
+            Assert.That((BitConverter.ToInt32(bytes, 4), BitConverter.ToInt16(bytes, 20), BitConverter.ToInt16(bytes, 22)),
+                Is.EqualTo((bytes.Length - 8, 1, 1)), "the rest of the file; as it is, of one channel");
+            Assert.That((BitConverter.ToInt32(bytes, 24), BitConverter.ToInt32(bytes, 28), BitConverter.ToInt16(bytes, 32),
+                BitConverter.ToInt16(bytes, 34)), Is.EqualTo((48000, 96000, 2, 16)));
+            Assert.That((Encoding.ASCII.GetString(bytes, 36, 4), BitConverter.ToInt32(bytes, 40)), Is.EqualTo(("data", bytes.Length - 44)));
+            double[] samples = Enumerable.Range(0, (bytes.Length - 44) / 2)
+                .Select(k => BitConverter.ToInt16(bytes, 44 + 2 * k) / 32767.0).ToArray();
+            Assert.That(samples, Has.Length.EqualTo(2 * 48000), "24 frames, 12 a second");
+            Assert.That(Math.Sqrt(samples.Average(sample => sample * sample)), Is.EqualTo(0.2).Within(10).Percent);
+
+            // What comes again after a beat is like itself then, and unlike half a beat before.
+            var plan = FlightPlan.Cruise(InsectCatalogue.Find("dragonfly"), InsectVariant.Standard);
+            double beat = isSlow ? 3.0 : TetheredFlight.Fly(plan).Wings[0].Frequency;
+            Assert.That(Alike((int)Math.Round(48000 / beat)), Is.GreaterThan(0.98));
+            Assert.That(Alike((int)Math.Round(24000 / beat)), Is.LessThan(0.9));
+
+            double Alike(int lag)
+            {
+                double product = 0.0, square = 0.0;
+                for (int k = 9600; k < samples.Length - lag; k++)
+                {
+                    product += samples[k] * samples[k + lag];
+                    square += samples[k] * samples[k];
+                }
+
+                return product / square;
+            }
+        }
+
+        [Test]
+        public void ASlowSound_NeedsAFile()
+        {
+            using var run = new CommandRun();
+            Assert.That(run.Run("film", "monarch", "--slow-sound", "--out", run.Out), Is.EqualTo(2));
+            Assert.That(run.Errors.Trim(), Does.EndWith("--slow-sound needs --sound FILE.wav."));
+            Assert.That(run.Run("film", "monarch", "--sound", run.Folder, "--out", run.Out), Is.EqualTo(2));
+            Assert.That(run.Errors, Does.Contain("it is a folder, not a file"));
+            Assert.That(Directory.Exists(run.Out), Is.False);
         }
 
         [Test]
