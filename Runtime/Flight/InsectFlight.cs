@@ -27,6 +27,19 @@ namespace Alate.Flight
         [Tooltip("Help from outside after a tumble, towards the wanted velocity and attitude: 0 none, 1 enough for 2 m/s gusts.")]
         private float m_Aid;
 
+        [SerializeField]
+        [Tooltip("Wanted velocity without a pilot, m/s of the real insect along the world's axes; 0 hovers.")]
+        private Vector3 m_Velocity;
+
+        [SerializeField]
+        [Tooltip("Without a pilot the nose follows the way; off: it keeps to Heading.")]
+        private bool m_FollowsWay = true;
+
+        [SerializeField]
+        [Range(-180f, 180f)]
+        [Tooltip("Wanted heading without a pilot, degrees about the world's up from Z; where Follows Way is off.")]
+        private float m_Heading;
+
         private PilotSeat m_Seat;
 
         /// <summary>Trims and gains; null does not fly. Taken over at the next step.</summary>
@@ -58,10 +71,22 @@ namespace Alate.Flight
         }
 
         /// <summary>Wanted velocity without a pilot, m/s of the real insect along the world's axes.</summary>
-        public Vector3 Velocity { get; set; }
+        public Vector3 Velocity
+        {
+            get => m_Velocity;
+            set => m_Velocity = value;
+        }
 
         /// <summary>Wanted heading without a pilot, radians about the world's up; not a number follows the way.</summary>
-        public float Heading { get; set; } = float.NaN;
+        public float Heading
+        {
+            get => m_FollowsWay ? float.NaN : math.radians(m_Heading);
+            set
+            {
+                m_FollowsWay = !math.isfinite(value);
+                m_Heading = m_FollowsWay ? 0f : math.degrees(value);
+            }
+        }
 
         /// <summary>State of the flight: flying, tumbling, landing or perched.</summary>
         public FlightState State { get; private set; }
