@@ -46,6 +46,50 @@ namespace Alate.Tests
             }
         }
 
+        // The nearest camera counts; those that are gone do not, and without any the main one looks.
+        [Test]
+        public void OfSeveralCameras_TheLargestPictureCounts()
+        {
+            Camera far = Made(-40f), near = Made(-10f), gone = Made(-1f);
+            float bias = QualitySettings.lodBias;
+            QualitySettings.lodBias = 1f;
+            try
+            {
+                var viewers = new Viewers();
+                viewers.UpdateCameras();
+                Assert.That((viewers.Any, viewers.ScreenHeight(default, 1f)), Is.EqualTo((false, 0f)));
+                far.tag = "MainCamera";
+                Assert.That(Height(), Is.EqualTo(1f / 40f).Within(1e-5f), "the main camera");
+                WingSystem.DetailCameras.AddRange(new[] { gone, near });
+                Object.DestroyImmediate(gone.gameObject);
+                Assert.That(Height(), Is.EqualTo(1f / 10f).Within(1e-5f), "the one that is listed");
+                WingSystem.DetailCameras.Add(far);
+                Assert.That(Height(), Is.EqualTo(1f / 10f).Within(1e-5f), "the nearer one of two");
+
+                float Height()
+                {
+                    viewers.UpdateCameras();
+                    Assert.That(viewers.Any);
+                    return viewers.ScreenHeight(default, 1f);
+                }
+            }
+            finally
+            {
+                QualitySettings.lodBias = bias;
+                WingSystem.DetailCameras.Clear();
+                Object.DestroyImmediate(far.gameObject);
+                Object.DestroyImmediate(near.gameObject);
+            }
+
+            Camera Made(float z)
+            {
+                Camera camera = new GameObject("camera").AddComponent<Camera>();
+                camera.transform.position = new Vector3(0f, 0f, z);
+                camera.fieldOfView = 90f;
+                return camera;
+            }
+        }
+
         [TestCase(0.41f, WingDetail.Full)]
         [TestCase(0.39f, WingDetail.FewerSubsteps)]
         [TestCase(0.21f, WingDetail.FewerSubsteps)]
