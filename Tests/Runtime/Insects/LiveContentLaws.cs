@@ -88,7 +88,7 @@ namespace Alate.Tests
             int count = source.vertexCount;
             source.normals = Array.ConvertAll(source.vertices, p => new Vector3(p.x, 1f, p.z).normalized);
             if (tangents)
-                source.tangents = Array.ConvertAll(source.vertices, p => Four(new Vector3(1f, -p.x, p.z).normalized, p.x > 0.5f ? 1f : -1f));
+                source.tangents = Array.ConvertAll(source.vertices, p => Tangent(new Vector3(1f, -p.x, p.z).normalized, p.x > 0.5f));
             if (bytes)
                 source.colors32 = Array.ConvertAll(source.vertices, p => (Color32)new Color(p.x, -p.z, 0.3f, 0.6f));
             else
@@ -137,7 +137,7 @@ namespace Alate.Tests
         private static TemplateKey.WingKey Key(WingSkeleton skeleton, int submesh) =>
             new TemplateKey.WingKey(new Wing { Part = WingPart.Submesh, Submesh = submesh, Skeleton = skeleton }, 7u);
 
-        private static Vector4 Four(Vector3 three, float w) => new Vector4(three.x, three.y, three.z, w);
+        private static Vector4 Tangent(Vector3 along, bool isRight) => new Vector4(along.x, along.y, along.z, isRight ? 1f : -1f);
 
         private static Vector4[] Coordinates(Mesh mesh, int channel)
         {
