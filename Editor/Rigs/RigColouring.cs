@@ -47,7 +47,7 @@ namespace Alate.Editor
                 case RigColourMode.JointWeight:
                     return ("0", "1");
                 case RigColourMode.JointMass:
-                    return ("0", FormattableString.Invariant($"{100f * math.max(Largest(rig.masses), 0f):0.#} % of the mass"));
+                    return ("0", FormattableString.Invariant($"{100f * Largest(rig.masses):0.#} % of the mass"));
                 case RigColourMode.Delay:
                     return ("0°", FormattableString.Invariant($"{math.degrees(Largest(rig.Delays(parameters))):0}° of the beat"));
                 default:

@@ -15,10 +15,7 @@ namespace Alate.Editor
             Bounds = new Color(0.7f, 0.7f, 0.7f, 0.5f);
 
         /// <summary>Colour of a delay: 0 yellow, with the root of the leading edge; 1 blue, last of all.</summary>
-        public static Color Delay(float delay)
-        {
-            float t = Mathf.Clamp01(delay);
-            return t < 0.5f ? Color.Lerp(s_Early, s_Middle, 2f * t) : Color.Lerp(s_Middle, s_Late, 2f * t - 1f);
-        }
+        public static Color Delay(float delay) =>
+            delay < 0.5f ? Color.Lerp(s_Early, s_Middle, 2f * delay) : Color.Lerp(s_Middle, s_Late, 2f * delay - 1f);
     }
 }

@@ -86,6 +86,13 @@ namespace Alate.Editor.Tests
             }
         }
 
+        [TestCase(0f, 0f, 10f, 70f)]
+        [TestCase(1f, 0f, 210f, 70f)]
+        [TestCase(0f, 1f, 10f, 20f)]
+        [TestCase(0.25f, 0.2f, 60f, 60f)]
+        public void APlaceOfTheGraph_RunsToTheRight_AndUpwards(float phase, float height, float x, float y) =>
+            Assert.That((GraphCurve.At(s_Area, phase, height) - new Vector3(x, y, 0f)).magnitude, Is.LessThan(1e-4f));
+
         [Test]
         public void NoSamples_MakeNoLine()
         {

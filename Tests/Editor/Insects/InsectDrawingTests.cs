@@ -106,6 +106,33 @@ namespace Alate.Editor.Tests
         }
 
         [Test]
+        public void AnAxis_IsAnArrow_OfAThirdOfTheFirstChain_WithAHeadOfTwelveHundredths()
+        {
+            InsectWings insect = Insect();
+            insect.transform.SetPositionAndRotation(new Vector3(3f, 4f, 5f), Quaternion.Euler(10f, 200f, 30f));
+            RecordingPen pen = Draw(insect, GizmoLayers.Axes);
+            Wing right = insect.Wings[0];
+            Vector3 chain = right.Skeleton.GetJoint(0, 4) - right.Skeleton.GetJoint(0, 0);
+
+            foreach (Color colour in new[] { GizmoColours.Span, GizmoColours.Up })
+            {
+                (Vector3 from, Vector3 to, Color colour)[] lines = pen.Lines.Where(line => line.colour == colour).Take(3).ToArray();
+                Vector3 arrow = lines[0].to - lines[0].from;
+                Vector3 axis = colour == GizmoColours.Span ? right.Skeleton.SpanAxis : right.Skeleton.UpAxis;
+                Assert.That((arrow - 0.35f * chain.magnitude * right.Renderer.transform.TransformDirection(axis).normalized).magnitude,
+                    Is.LessThan(1e-5f));
+                foreach ((Vector3 from, Vector3 to, Color _) in lines.Skip(1))
+                {
+                    Assert.That(from, Is.EqualTo(lines[0].to));
+                    Assert.That(Vector3.Dot(to - from, arrow.normalized), Is.EqualTo(-0.12f * arrow.magnitude).Within(1e-5f));
+                    Assert.That(Vector3.Cross(to - from, arrow.normalized).magnitude, Is.EqualTo(0.06f * arrow.magnitude).Within(1e-5f));
+                }
+
+                Assert.That((lines[1].to - lines[2].to).magnitude, Is.EqualTo(0.12f * arrow.magnitude).Within(1e-5f), "on both sides");
+            }
+        }
+
+        [Test]
         public void Bounds_AreThoseOfTheMeshes()
         {
             InsectWings insect = Insect();

@@ -123,6 +123,24 @@ namespace Alate.Editor.Tests
             Assert.That(heavy.Message, Does.Match(@"^Joint 2 of chain 2 carries [\d.]+ % of the wing's mass\.$"));
         }
 
+        [TestCase(5, 5, 0.2f)]
+        [TestCase(3, 3, 0.4f)]
+        [TestCase(3, 5, 1f / 3f)]
+        public void Mass_IsConcentrated_FromFiveTimesTheMean_OrTwoFifthsOfTheWing(int chains, int joints, float limit)
+        {
+            Editing.Do("Set Counts", (draft, selected) => ResampleCommands.ToCounts(draft, chains, joints));
+            var rig = RigInspection.TryMake(Skeleton, Surface(), 0, out _);
+            rig.masses[joints + 1] = 0.97f * limit;
+            Assert.That(RigProblems.Find(rig), Is.Empty);
+            rig.masses[joints + 1] = 1.03f * limit;
+            RigProblem heavy = RigProblems.Find(rig).Single();
+
+            Assert.That(heavy.Kind, Is.EqualTo(RigProblemKind.MassConcentrated));
+            Assert.That(heavy.Joints, Is.EqualTo(new[] { new JointIndex(1, 1) }));
+            Assert.That(RigProblems.Summary(rig), Is.EqualTo(System.FormattableString.Invariant(
+                $"{rig.triangles.Count} triangles, {rig.PatchCount} patches, heaviest joint {103f * limit:0.#} %")));
+        }
+
         [Test]
         public void WingOfOtherSize_DoesNotFit_AndSaysSoAsBakingDoes()
         {

@@ -7,6 +7,25 @@ namespace Alate.Editor.Tests
     public sealed class ShapeCommandsTests : EditingFixture
     {
         [Test]
+        public void ASingleChain_IsRepeated_AndOthersSpreadOverTheFan()
+        {
+            var single = new SkeletonDraft(1, 3);
+            single.SetChain(0, new[] { Vector3.zero, Vector3.right, new Vector3(2f, 0f, 1f) });
+            SkeletonDraft repeated = ResampleCommands.ToCounts(single, 4, 3).Draft;
+            var pair = new SkeletonDraft(2, 3);
+            for (int j = 0; j < 3; j++)
+                (pair[0, j], pair[1, j]) = (new Vector3(j, 0f, 0f), new Vector3(j, 0f, -3f));
+            SkeletonDraft spread = ResampleCommands.ToCounts(pair, 4, 3).Draft;
+
+            for (int i = 0; i < 4; i++)
+            {
+                Assert.That(repeated.Chain(i), Is.EqualTo(single.Chain(0)));
+                for (int j = 0; j < 3; j++)
+                    Assert.That((spread[i, j] - new Vector3(j, 0f, -i)).magnitude, Is.LessThan(1e-5f));
+            }
+        }
+
+        [Test]
         public void EvenlySpacedChain_HasBonesOfOneLength_ItsOldEnds_AndItsOldLine()
         {
             Bend((1, 1), new Vector3(0.01f, 0f, 0.01f));
