@@ -120,14 +120,12 @@ namespace Alate
         /// <summary>Restarts an insect's wings.</summary>
         public void Restart(LiveInsect live)
         {
-            World.Complete();
             live.Restart(World);
             m_Clocks.times[live.Clock].moved = true;
         }
 
         public void Dispose()
         {
-            World.Complete();
             m_Registry.End();
             World.Dispose();
             SystemCounter.insects.Set(0);
