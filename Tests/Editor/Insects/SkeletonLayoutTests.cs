@@ -115,6 +115,19 @@ namespace Alate.Editor.Tests
             Assert.That(outcome.Message, Does.Contain("All wings"));
         }
 
+        [Test]
+        public void SavedSkeletons_AreNoLongerTheLayouts()
+        {
+            InsectWings insect = Bones(out string path);
+            var layout = SkeletonLayout.Of(insect, new[] { 0, 1 }, LayOutSkeletonFix.Fit);
+            Assert.That(layout.Count, Is.EqualTo(2));
+            WingSkeleton[] saved = layout.Save(path, "Lay Out").OrderBy(wing => wing.Key).Select(wing => wing.Value).ToArray();
+            Assert.That(layout.Count, Is.Zero);
+            layout.Dispose();
+
+            Assert.That(saved.Select(skeleton => skeleton != null && skeleton.IsValid), Is.EqualTo(new[] { true, true }));
+        }
+
         private static FixOutcome LayOut(InsectWings insect, string path, in InsectProblem problem) =>
             new LayOutSkeletonFix(LayOutSkeletonFix.Fit, (_, __, ___) => path).Apply(insect, problem);
 
