@@ -5,9 +5,8 @@ using Alate.Editor;
 using Alate.Editor.Tests;
 using NUnit.Framework;
 using StandIns;
-using UnityEditor;
-using UnityEngine;
 using Unity.Mathematics;
+using UnityEngine;
 
 namespace Alate.Tests.Editor;
 

@@ -103,7 +103,7 @@ namespace Alate.Tests.Crowds
                 planes[5 - k] = new Plane(inwards, 1f + k / 2);
             }
 
-            CrowdFrustum box = CrowdFrustum.Of(planes);
+            var box = CrowdFrustum.Of(planes);
             float half = 1f + axis;
             foreach (float radius in new[] { 0.1f, 0.5f })
             {

@@ -127,7 +127,7 @@ namespace Alate.Tests.Crowds
             if (!m_Camera.stereoEnabled)
                 Assert.Ignore("A camera takes eyes from a headset here.");
             CrowdView view = CameraView.Of(m_Camera, false);
-            var middles = new[] { new float3(-3f, 0f, 10f), new float3(3f, 0f, 10f), new float3(0f, 0f, 10f), new float3(-6f, 0f, 10f) };
+            float3[] middles = new[] { new float3(-3f, 0f, 10f), new float3(3f, 0f, 10f), new float3(0f, 0f, 10f), new float3(-6f, 0f, 10f) };
             Assert.That(middles.Select(middle => Sees(view, middle, 0.1f)), Is.EqualTo(new[] { true, true, false, false }));
         }
 

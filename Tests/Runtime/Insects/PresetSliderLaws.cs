@@ -52,7 +52,8 @@ namespace Alate.Tests
             parameters.phaseLead = math.radians(degrees);
             parameters.amplitudeScale = degrees / 180f;
             WingParameters clamped = parameters.Clamped();
-            Assert.That(math.degrees(new float4(clamped.phase, clamped.phaseLead)), Is.EqualTo((float4)wanted).Using<float4>(IsNear));
+            float4 apart = math.abs(math.degrees(new float4(clamped.phase, clamped.phaseLead)) - wanted);
+            Assert.That(math.cmax(apart), Is.LessThan(1e-3f));
             Assert.That(clamped.amplitudeScale, Is.EqualTo(math.clamp(degrees / 180f, 0f, 2f)).Within(1e-6f));
         }
 
@@ -90,7 +91,5 @@ namespace Alate.Tests
             UnitAttribute bounds = field.GetCustomAttribute<UnitAttribute>();
             return slider != null ? new float2(slider.min, slider.max) : new float2(bounds.Min, bounds.Max);
         }
-
-        private static bool IsNear(float4 a, float4 b) => math.cmax(math.abs(a - b)) < 1e-3f;
     }
 }

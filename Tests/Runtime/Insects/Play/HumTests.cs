@@ -118,7 +118,7 @@ namespace Alate.Tests.Play
         [Test]
         public void Settings_AreKeptInTheirRanges()
         {
-            var hum = Keep(new GameObject("hum")).AddComponent<InsectHum>();
+            InsectHum hum = Keep(new GameObject("hum")).AddComponent<InsectHum>();
             (hum.Volume, hum.FullPower) = (-1f, 0f);
             Assert.That((hum.Volume, hum.FullPower), Is.EqualTo((0f, 0.001f)));
             (hum.Volume, hum.FullPower) = (7f, 1e6f);

@@ -50,21 +50,21 @@ namespace Alate.Tests.Play
         [UnityTest]
         public IEnumerator EveryNumberOfAnInsect_ActsFromTheNextStep()
         {
-            List<string> paths = Numbers(typeof(InsectWings), "").Concat(Numbers(typeof(Wing), "")).ToList();
+            var paths = Numbers(typeof(InsectWings), "").Concat(Numbers(typeof(Wing), "")).ToList();
             yield return Compare(paths, MovingInsect, (insect, path) => Write(Holder(insect, path), path), 2);
         }
 
         [UnityTest]
         public IEnumerator EveryNumberOfAFlight_ActsFromTheNextStep()
         {
-            List<string> paths = Numbers(typeof(InsectFlight), "").ToList();
+            var paths = Numbers(typeof(InsectFlight), "").ToList();
             yield return Compare(paths, () => Flying(null), (insect, path) => Write(insect.GetComponent<InsectFlight>(), path), 60);
         }
 
         [UnityTest]
         public IEnumerator EveryNumberOfAWander_ActsWhileItFlies()
         {
-            List<string> paths = Numbers(typeof(WanderPilot), "").Where(path => !path.StartsWith("m_Obstacles")).ToList();
+            var paths = Numbers(typeof(WanderPilot), "").Where(path => !path.StartsWith("m_Obstacles")).ToList();
             yield return Compare(
                 paths, () => Flying(typeof(WanderPilot)), (insect, path) => Write(insect.GetComponent<WanderPilot>(), path), 180);
         }
@@ -72,7 +72,7 @@ namespace Alate.Tests.Play
         private IEnumerator Compare(List<string> paths, Func<InsectWings> make, Action<InsectWings, string> write, int frames)
         {
             Assert.That(paths, Has.Count.GreaterThan(2));
-            List<InsectWings> insects = paths.Select(_ => make()).ToList();
+            var insects = paths.Select(_ => make()).ToList();
             InsectWings same = make();
             yield return Frames(20);
             Assert.That(insects.Select(StateOf).Distinct().Count(), Is.EqualTo(1), "alike before");
@@ -131,7 +131,9 @@ namespace Alate.Tests.Play
                     continue;
                 Type kind = field.FieldType;
                 if (kind == typeof(float) || kind == typeof(int) || kind == typeof(bool) || kind == typeof(Vector3) || kind.IsEnum)
+                {
                     yield return before + field.Name;
+                }
                 else if (kind.GetCustomAttribute<SerializableAttribute>() != null && !kind.IsGenericType && !kind.IsArray)
                 {
                     foreach (string number in Numbers(kind, before + field.Name + "."))
@@ -173,7 +175,7 @@ namespace Alate.Tests.Play
         // Another value within the range.
         private static object Other(FieldInfo field, object value)
         {
-            var range = field.GetCustomAttribute<UnityEngine.RangeAttribute>();
+            UnityEngine.RangeAttribute range = field.GetCustomAttribute<UnityEngine.RangeAttribute>();
             switch (value)
             {
                 case bool flag: return !flag;

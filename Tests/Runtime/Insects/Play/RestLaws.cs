@@ -1,7 +1,6 @@
 using System.Collections;
 using NUnit.Framework;
 using Unity.Mathematics;
-using UnityEngine;
 using UnityEngine.TestTools;
 
 namespace Alate.Tests.Play
