@@ -19,7 +19,7 @@ namespace Alate.Editor
         /// <summary>Hash of the result of <see cref="Find"/>, without the content of skeletons, meshes and presets.</summary>
         public static int StampOf(IEnumerable<InsectWings> insects)
         {
-            int stamp = 17;
+            var stamp = new HashCode();
             foreach (InsectWings insect in insects)
             {
                 foreach (Wing wing in insect.Wings)
@@ -27,15 +27,18 @@ namespace Alate.Editor
                     Mesh mesh = wing == null ? null : InsectCheck.MeshOf(wing, InsectCheck.FilterOf(wing));
                     if (mesh == null)
                         continue;
-                    WingPreset preset = wing.Preset != null ? wing.Preset : insect.Preset;
-                    int skeleton = wing.Skeleton == null ? 0 : wing.Skeleton.GetHashCode();
-                    int part = ((int)wing.Part * 31 + wing.Submesh) * 31 + wing.Point.GetHashCode();
-                    stamp = ((stamp * 31 + mesh.GetHashCode()) * 31 + skeleton) * 31 + part + (int)wing.Side * 7 + (int)wing.Pair;
-                    stamp = stamp * 31 + (preset == null ? 0 : preset.GetHashCode());
+                    stamp.Add(mesh);
+                    stamp.Add(wing.Skeleton);
+                    stamp.Add(wing.Part);
+                    stamp.Add(wing.Submesh);
+                    stamp.Add(wing.Point);
+                    stamp.Add(wing.Side);
+                    stamp.Add(wing.Pair);
+                    stamp.Add(wing.Preset != null ? wing.Preset : insect.Preset);
                 }
             }
 
-            return stamp;
+            return stamp.ToHashCode();
         }
 
         /// <summary>Finds the wings of an insect that have a mesh but no skeleton yet.</summary>

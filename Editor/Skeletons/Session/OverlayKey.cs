@@ -29,10 +29,10 @@ namespace Alate.Editor
         /// <summary>Key with the values that colours depend on too.</summary>
         public OverlayKey With(RigColourMode? colours, IReadOnlyList<JointIndex> selected, int preset)
         {
-            int selection = selected.Count;
+            var selection = new HashCode();
             foreach (JointIndex joint in selected)
-                selection = selection * 31 + joint.GetHashCode();
-            return new OverlayKey(m_Target, m_Skeleton, colours, selection, preset);
+                selection.Add(joint);
+            return new OverlayKey(m_Target, m_Skeleton, colours, selection.ToHashCode(), preset);
         }
 
         public bool Equals(OverlayKey other) =>

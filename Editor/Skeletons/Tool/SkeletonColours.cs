@@ -12,7 +12,7 @@ namespace Alate.Editor
         public static readonly Color chain = new Color(0.45f, 0.8f, 1f);
 
         /// <summary>Lines between the same joints of neighbouring chains.</summary>
-        public static readonly Color row = new Color(0.45f, 0.8f, 1f, 0.3f);
+        public static readonly Color row = new Color(chain.r, chain.g, chain.b, 0.3f);
 
         /// <summary>Joints.</summary>
         public static readonly Color joint = new Color(0.9f, 0.95f, 1f);
@@ -35,10 +35,10 @@ namespace Alate.Editor
         /// <summary>Edges of that wing.</summary>
         public static readonly Color beatEdges = new Color(0.1f, 0.3f, 0.1f, 0.25f);
 
-        /// <summary>The box of a box selection.</summary>
-        public static readonly Color box = new Color(0.4f, 0.7f, 1f, 0.2f);
-
         /// <summary>Edge of the box of a box selection.</summary>
         public static readonly Color boxEdge = new Color(0.4f, 0.7f, 1f, 0.8f);
+
+        /// <summary>The box of a box selection.</summary>
+        public static readonly Color box = new Color(boxEdge.r, boxEdge.g, boxEdge.b, 0.2f);
     }
 }
