@@ -31,7 +31,7 @@ namespace Alate.Editor.Tests
             {
                 byte[] alphas = Array.ConvertAll(
                     RigColouring.Corners(rig, mode, new[] { new JointIndex(1, 1) }, WingParameters.Default), colour => colour.a);
-                Assert.That(alphas, Is.All.InRange(190, 210), mode.ToString());
+                Assert.That(alphas, Is.All.GreaterThanOrEqualTo(190).And.All.LessThanOrEqualTo(210), mode.ToString());
                 Assert.That(alphas, Has.Length.EqualTo(3 * rig.triangles.Count));
             }
         }

@@ -124,7 +124,7 @@ namespace Alate.Editor.Tests
                     rig.points[vertex].y = 0f;
                 }
 
-                List<int> hanging = Enumerable.Range(0, rig.triangles.Count)
+                var hanging = Enumerable.Range(0, rig.triangles.Count)
                     .Where(t => Enumerable.Range(0, 3).All(corner => held[rig.triangles.corners[t][corner]])).ToList();
                 double part = hanging.Sum(t => (double)rig.triangles.areas[t]) / rig.triangles.areas.ToArray().Sum(area => (double)area);
                 RigProblem[] found = RigProblems.Find(rig).Where(problem => problem.Kind == RigProblemKind.HeldByRoots).ToArray();
@@ -206,7 +206,7 @@ namespace Alate.Editor.Tests
             JointIndex[] all = JointPicking.All(Skeleton).ToArray();
             Assert.That(all.Reverse().OrderBy(joint => joint), Is.EqualTo(all));
             Assert.That(all.All(joint => joint.IsIn(Skeleton)), Is.True);
-            var outside = new[] { new JointIndex(-1, 0), new JointIndex(5, 0), new JointIndex(0, -1), new JointIndex(0, 5) };
+            JointIndex[] outside = new[] { new JointIndex(-1, 0), new JointIndex(5, 0), new JointIndex(0, -1), new JointIndex(0, 5) };
             Assert.That(outside.Any(joint => joint.IsIn(Skeleton)), Is.False);
             Assert.That(all.SelectMany(a => all.Where(b => a == b || !(a != b))).Count(), Is.EqualTo(all.Length));
             Assert.That(new JointIndex(3, 1).ToString(), Is.EqualTo("joint 1 of chain 3"));

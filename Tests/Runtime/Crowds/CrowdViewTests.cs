@@ -127,8 +127,8 @@ namespace Alate.Tests.Crowds
             if (!m_Camera.stereoEnabled)
                 Assert.Ignore("A camera takes eyes from a headset here.");
             CrowdView view = CameraView.Of(m_Camera, false);
-            float3[] middles = new[] { new float3(-3f, 0f, 10f), new float3(3f, 0f, 10f), new float3(0f, 0f, 10f), new float3(-6f, 0f, 10f) };
-            Assert.That(middles.Select(middle => Sees(view, middle, 0.1f)), Is.EqualTo(new[] { true, true, false, false }));
+            float[] places = { -3f, 3f, 0f, -6f };
+            Assert.That(places.Select(x => Sees(view, new float3(x, 0f, 10f), 0.1f)), Is.EqualTo(new[] { true, true, false, false }));
         }
 
         [Test]
