@@ -83,7 +83,7 @@ namespace Alate.Tests.Cli
                 m_Run.Output, Does.Contain("worst from").And.Contain("tip bend").And.Contain("Snailfish: fin").And.Contain("wind.csv"));
         }
 
-        [Test]
+        [Test, Explicit, Category("Long")]
         public void Gusts_AreSaidInTheTable()
         {
             using var run = new CommandRun();
