@@ -5,8 +5,9 @@ using System.Linq;
 namespace Alate.Benchmarks;
 
 /// <summary>
-/// Time of each part of a substep of four wings as they fly, timed in a copy of <see cref="PackStep.Substep"/> with clocks between its
-/// parts. A part that was repeated by itself would meet springs that rest and strips that are slack.
+/// Time of each part of a substep of four wings as they fly, timed in a copy of
+/// <see cref="PackStep.Substep(ref WingPack, in StepScratch, int)"/> with clocks between its parts. A part that was
+/// repeated by itself would meet springs that rest and strips that are slack.
 /// </summary>
 internal sealed unsafe class SubstepBreakdown : IDisposable
 {

@@ -100,7 +100,7 @@ namespace Alate.Editor.Tests
         private static void Near(Color32 colour, Color32 expected, string message)
         {
             int[] off = new[] { colour.r - expected.r, colour.g - expected.g, colour.b - expected.b, colour.a - expected.a };
-            Assert.That(off, Is.All.InRange(-2, 2), message);
+            Assert.That(off, Is.All.GreaterThanOrEqualTo(-2).And.All.LessThanOrEqualTo(2), message);
         }
     }
 }

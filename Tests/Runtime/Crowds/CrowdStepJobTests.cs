@@ -2,9 +2,11 @@ using System.Collections.Generic;
 using System.Linq;
 using Alate.Crowds;
 using NUnit.Framework;
-using Unity.Collections;
 using Unity.Mathematics;
 using Random = Unity.Mathematics.Random;
+#if ENABLE_UNITY_COLLECTIONS_CHECKS
+using Unity.Collections;
+#endif
 
 namespace Alate.Tests.Crowds
 {

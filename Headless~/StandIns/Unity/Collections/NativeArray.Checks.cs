@@ -1,8 +1,10 @@
 using System;
 using System.Diagnostics;
-using System.Diagnostics.CodeAnalysis;
 using System.Runtime.CompilerServices;
 using Unity.Jobs;
+#if ENABLE_UNITY_COLLECTIONS_CHECKS
+using System.Diagnostics.CodeAnalysis;
+#endif
 
 namespace Unity.Collections;
 

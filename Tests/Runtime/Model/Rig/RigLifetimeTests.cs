@@ -1,6 +1,8 @@
 using System;
 using NUnit.Framework;
+#if ENABLE_UNITY_COLLECTIONS_CHECKS
 using Unity.Collections;
+#endif
 
 namespace Alate.Tests
 {

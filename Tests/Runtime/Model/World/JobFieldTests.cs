@@ -1,3 +1,4 @@
+#if ENABLE_UNITY_COLLECTIONS_CHECKS
 using System;
 using NUnit.Framework;
 using Unity.Collections;
@@ -5,7 +6,6 @@ using Unity.Collections.LowLevel.Unsafe;
 
 namespace Alate.Tests
 {
-#if ENABLE_UNITY_COLLECTIONS_CHECKS
     /// <summary>
     /// Fields of the two jobs of a frame, which are checked before they are scheduled where Unity's safety checks are on.
     /// </summary>
@@ -157,5 +157,5 @@ namespace Alate.Tests
         private SkinWingsJob Skin(ClockTimes clocks) =>
             new SkinWingsJob { clocks = clocks, chunks = m_Chunks, targets = m_Targets, packs = m_Packs, bounds = m_Bounds };
     }
-#endif
 }
+#endif

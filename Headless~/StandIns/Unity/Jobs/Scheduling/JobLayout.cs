@@ -1,7 +1,9 @@
 using System;
 using System.Diagnostics;
 using System.Runtime.CompilerServices;
+#if ENABLE_UNITY_COLLECTIONS_CHECKS
 using Unity.Collections;
+#endif
 
 namespace Unity.Jobs;
 
