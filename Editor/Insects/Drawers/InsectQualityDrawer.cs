@@ -25,6 +25,7 @@ namespace Alate.Editor
 
             rows.Add(property.FindPropertyRelative(nameof(InsectQuality.culling)));
             rows.Add(property.FindPropertyRelative(nameof(InsectQuality.keepForces)));
+            rows.Add(property.FindPropertyRelative(nameof(InsectQuality.motionVectors)));
         }
     }
 }

@@ -56,7 +56,7 @@ internal static class UploadComparison
             for (int wing = 0; wing < 2 * k_Insects; wing++)
             {
                 m_Wings.Add((m_World.Add(rig, kind.Parameters, kind.FlightOf(wing), default, packing), DeformableMesh.Build(
-                    source, order, m_Packed)));
+                    source, order, m_Packed, moves: false)));
             }
             m_World.Step(0.02f);
             m_World.Skin();

@@ -8,8 +8,8 @@ namespace Alate
 {
     /// <summary>
     /// Copies a mesh so that each wing's vertices can be written in one piece: vertices in a given order; stream 0 position and normal,
-    /// stream 1 tangents where there are any, the next one colours and texture coordinates. Normals and tangents are signed bytes where the
-    /// device reads them. Bone weights and blend shapes are left out.
+    /// stream 1 tangents where there are any, the next one colours and texture coordinates, and the last one displacements where they are
+    /// wanted. Normals and tangents are signed bytes where the device reads them. Bone weights and blend shapes are left out.
     /// </summary>
     internal static class DeformableMesh
     {
@@ -18,6 +18,11 @@ namespace Alate
 
         /// <summary>Index of the stream of tangents.</summary>
         public const int TangentStream = 1;
+
+        /// <summary>
+        /// Texture coordinates that hold the displacements: those in which the shaders of URP and HDRP look for precomputed velocities.
+        /// </summary>
+        public const VertexAttribute DisplacementAttribute = VertexAttribute.TexCoord5;
 
         private const int k_TexCoords = 8, k_MostOfSixteenBits = 65535;
 
@@ -28,11 +33,15 @@ namespace Alate
         /// <summary>Returns true where the device reads signed bytes.</summary>
         public static bool CanPack => SystemInfo.SupportsVertexAttributeFormat(VertexAttributeFormat.SNorm8, 4);
 
+        /// <summary>Returns true where the device reads displacements.</summary>
+        public static bool CanMove => SystemInfo.SupportsVertexAttributeFormat(VertexAttributeFormat.Float16, 4);
+
         /// <summary>Makes a copy that is never saved.</summary>
         /// <param name="source">A readable mesh.</param>
         /// <param name="order">[new vertex] The source's vertex; each one once.</param>
         /// <param name="packed">Whether normals and tangents are signed bytes, or floats.</param>
-        public static Mesh Build(Mesh source, int[] order, bool packed)
+        /// <param name="moves">Whether the vertices have displacements, in place of what the source has there.</param>
+        public static Mesh Build(Mesh source, int[] order, bool packed, bool moves)
         {
             // Submeshes with base vertices may have more vertices than their indices count to.
             IndexFormat indices = order.Length > k_MostOfSixteenBits ? IndexFormat.UInt32 : source.indexFormat;
@@ -40,8 +49,14 @@ namespace Alate
             Vector3[] positions = source.vertices;
             Vector3[] normals = source.normals;
             Vector4[] tangents = source.tangents;
-            var others = new OtherAttributes(source, tangents.Length > 0 ? TangentStream + 1 : TangentStream);
-            mesh.SetVertexBufferParams(order.Length, Layout(packed, tangents.Length > 0, others.Descriptors));
+            var others = new OtherAttributes(source, tangents.Length > 0 ? TangentStream + 1 : TangentStream, moves);
+            List<VertexAttributeDescriptor> layout = Layout(packed, tangents.Length > 0, others.Descriptors);
+            int last = others.Words > 0 ? others.Stream + 1 : others.Stream;
+            if (moves)
+                layout.Add(new VertexAttributeDescriptor(DisplacementAttribute, VertexAttributeFormat.Float16, 4, last));
+            mesh.SetVertexBufferParams(order.Length, layout.ToArray());
+            if (moves)
+                mesh.SetVertexBufferData(new VertexDisplacement[order.Length], 0, 0, order.Length, last, UploadFlags);
             if (packed)
                 mesh.SetVertexBufferData(PackedVertices(order, positions, normals), 0, 0, order.Length, VertexStream, UploadFlags);
             else
@@ -64,7 +79,7 @@ namespace Alate
             return mesh;
         }
 
-        private static VertexAttributeDescriptor[] Layout(bool packed, bool tangents, IReadOnlyList<VertexAttributeDescriptor> others)
+        private static List<VertexAttributeDescriptor> Layout(bool packed, bool tangents, IReadOnlyList<VertexAttributeDescriptor> others)
         {
             var layout = new List<VertexAttributeDescriptor>
             {
@@ -80,7 +95,7 @@ namespace Alate
             }
 
             layout.AddRange(others);
-            return layout.ToArray();
+            return layout;
         }
 
         private static SkinnedVertex[] Vertices(int[] order, Vector3[] positions, Vector3[] normals)
@@ -126,12 +141,15 @@ namespace Alate
             private readonly List<int> m_Counts = new List<int>();
             private readonly List<VertexAttributeDescriptor> m_Descriptors = new List<VertexAttributeDescriptor>();
 
-            public OtherAttributes(Mesh source, int stream)
+            public OtherAttributes(Mesh source, int stream, bool moves)
             {
                 Stream = stream;
                 AddColours(source);
                 for (int channel = 0; channel < k_TexCoords; channel++)
-                    AddTexCoords(source, channel);
+                {
+                    if (!moves || VertexAttribute.TexCoord0 + channel != DisplacementAttribute)
+                        AddTexCoords(source, channel);
+                }
             }
 
             public int Stream { get; }

@@ -248,18 +248,17 @@ namespace Alate
                     flyer.Show(live, World, m_Clocks.times[live.Clock].alpha);
             }
 
-            if (!m_Clocks.times.AnyDrawn())
-                return;
-            using (SystemMarkers.schedule.Auto())
-                World.ScheduleSkin(m_Clocks.times);
-            Wait();
+            if (m_Clocks.times.AnyDrawn())
+            {
+                using (SystemMarkers.schedule.Auto())
+                    World.ScheduleSkin(m_Clocks.times);
+                Wait();
+            }
+
             using (SystemMarkers.upload.Auto())
             {
                 foreach (LiveInsect live in Insects)
-                {
-                    if (m_Clocks.times[live.Clock].IsDrawn)
-                        live.Upload(World);
-                }
+                    live.Upload(World, m_Clocks.times[live.Clock].IsDrawn);
             }
 
             m_Clocks.EndDrawing();

@@ -41,10 +41,9 @@ namespace Alate
                 live.wings[w].Follow(wings[w]);
             }
 
-            int patches = live.insect.Patches;
             foreach (LiveMesh mesh in live.meshes)
             {
-                if (!mesh.IsCurrent(patches))
+                if (!mesh.IsCurrent(live.insect))
                     return false;
             }
 
@@ -54,10 +53,9 @@ namespace Alate
         /// <summary>Restores the meshes of an insect whose wings have changed, and moves them to the end of a list.</summary>
         public void Discard(LiveInsect live, List<LiveMesh> discarded)
         {
-            int patches = live.insect.Patches;
             foreach (LiveMesh mesh in live.meshes)
             {
-                if (mesh.IsCurrent(patches) && HasSameWings(mesh, live.insect.Wings))
+                if (mesh.IsCurrent(live.insect) && HasSameWings(mesh, live.insect.Wings))
                     continue;
                 mesh.Restore();
                 discarded.Add(mesh);
@@ -113,7 +111,8 @@ namespace Alate
             var automatic = new AutomaticSkeleton(insect.transform, filter.transform);
             var parts = new RiggedParts(mesh, automatic, patches);
             MeshTemplate template = m_Templates.Acquire(new TemplateKey(mesh, patches, keys, automatic), parts, wings, group, out problem);
-            return template == null ? null : new LiveMesh(filter, template, wings, skeletons, patches);
+            return template == null ? null
+                : new LiveMesh(filter, template, wings, skeletons, patches, insect.Quality.motionVectors);
         }
 
         // Whether the wings that the list has on a mesh's renderer are those that the mesh was built with, unchanged.

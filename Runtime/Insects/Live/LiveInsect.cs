@@ -91,7 +91,7 @@ namespace Alate
                 wing.ApplyParameters(presets, new InsectTuning(insect, Fade), out WingParameters parameters);
                 wing.Place();
                 WingSurroundings around = wing.Surroundings(flight);
-                wing.handle = world.Add(wing.rig, parameters, around.IsFinite ? around : default, m_PackKey, wing.packing);
+                wing.handle = world.Add(wing.rig, parameters, around.IsFinite ? around : default, m_PackKey, wing.packing, wing.moves);
                 world.SetSkinned(wing.handle, m_Skinned);
                 if (!leader.IsNone)
                     world.Follow(wing.handle, leader);
@@ -196,13 +196,18 @@ namespace Alate
             return SetSkinned(world);
         }
 
-        /// <summary>Uploads the deformed vertices to the meshes.</summary>
-        public void Upload(WingWorld world)
+        /// <summary>Uploads what a picture shows: the deformed vertices, or that they have not moved since the last one.</summary>
+        /// <param name="world">Where the wings are.</param>
+        /// <param name="drawn">Whether the wings' clock was drawn.</param>
+        public void Upload(WingWorld world, bool drawn)
         {
-            if (!m_Skinned)
-                return;
             foreach (LiveMesh mesh in meshes)
-                mesh.Upload(world);
+            {
+                if (drawn && m_Skinned)
+                    mesh.Upload(world);
+                else
+                    mesh.Stop(world);
+            }
         }
 
         private WingDetail Wanted(Viewers viewers)

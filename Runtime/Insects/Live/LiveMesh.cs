@@ -13,34 +13,44 @@ namespace Alate
         public readonly LiveWing[] wings;
         private readonly int m_Patches;
         private readonly Mesh m_Copy;
+        private readonly bool m_Moves;
+        private readonly int m_DisplacementStream;
+        private readonly MotionVectorGenerationMode m_Mode;
+        private bool m_Moving;
 
-        public LiveMesh(MeshFilter filter, MeshTemplate template, Wing[] wings, SkeletonValue[] skeletons, int patches)
+        public LiveMesh(MeshFilter filter, MeshTemplate template, Wing[] wings, SkeletonValue[] skeletons, int patches, bool moves)
         {
             this.filter = filter;
             m_Patches = patches;
             this.template = template;
             renderer = wings[0].Renderer;
+            m_Moves = moves;
+            moves &= DeformableMesh.CanMove;
             this.wings = new LiveWing[wings.Length];
             VertexPacking packing = !template.IsPacked ? VertexPacking.None
                 : MaterialTangents.AreRead(renderer) ? VertexPacking.NormalsAndTangents : VertexPacking.Normals;
             for (int w = 0; w < wings.Length; w++)
             {
                 wings[w].Authored = template.Source;
-                this.wings[w] = new LiveWing(wings[w], skeletons[w], template, w, packing);
+                this.wings[w] = new LiveWing(wings[w], skeletons[w], template, w, packing, moves);
             }
 
-            m_Copy = template.CreateCopy();
+            m_Copy = template.CreateCopy(moves);
+            m_DisplacementStream = moves ? m_Copy.GetVertexAttributeStream(DeformableMesh.DisplacementAttribute) : 0;
             LivingMeshes.Add(m_Copy, template.Source, filter);
             filter.sharedMesh = m_Copy;
+            m_Mode = renderer.motionVectorGenerationMode;
+            if (moves)
+                renderer.motionVectorGenerationMode = MotionVectorGenerationMode.Object;
         }
 
         /// <summary>
         /// Returns true where the filter still shows the copy (a script may have given it another mesh), made of the current content of the
-        /// authored mesh with this number of patches.
+        /// authored mesh with the insect's number of patches, and with displacements where it wants motion vectors.
         /// </summary>
-        public bool IsCurrent(int patches) =>
-            patches == m_Patches && !template.IsOutdated && filter != null && renderer != null
-            && ReferenceEquals(filter.sharedMesh, m_Copy);
+        public bool IsCurrent(InsectWings insect) =>
+            insect.Patches == m_Patches && insect.Quality.motionVectors == m_Moves && !template.IsOutdated
+            && filter != null && renderer != null && ReferenceEquals(filter.sharedMesh, m_Copy);
 
         /// <summary>Uploads the deformed vertices of all wings to the mesh.</summary>
         public void Upload(WingWorld world)
@@ -57,6 +67,26 @@ namespace Alate
                     Upload(world.Vertices(wing.handle), wing.start, DeformableMesh.VertexStream);
                     Upload(world.Tangents(wing.handle), wing.start, DeformableMesh.TangentStream);
                 }
+
+                if (wing.moves)
+                {
+                    Upload(world.Displacements(wing.handle), wing.start, m_DisplacementStream);
+                    world.TakePicture(wing.handle);
+                    m_Moving = true;
+                }
+            }
+        }
+
+        /// <summary>Takes away the displacements of the last upload: the vertices stay as they are.</summary>
+        public void Stop(WingWorld world)
+        {
+            if (!m_Moving)
+                return;
+            m_Moving = false;
+            foreach (LiveWing wing in wings)
+            {
+                world.StopDisplacements(wing.handle);
+                Upload(world.Displacements(wing.handle), wing.start, m_DisplacementStream);
             }
         }
 
@@ -65,6 +95,8 @@ namespace Alate
         {
             if (filter != null && IsOfThisWing(filter.sharedMesh))
                 filter.sharedMesh = template.Source;
+            if (m_Moves && renderer != null)
+                renderer.motionVectorGenerationMode = m_Mode;
             foreach (LiveWing wing in wings)
                 wing.ForgetAuthored();
             LivingMeshes.Remove(m_Copy);

@@ -16,6 +16,9 @@ namespace Alate
         /// <summary>Parts of the wing's vertices that are computed.</summary>
         public readonly VertexPacking packing;
 
+        /// <summary>True where the ways of the vertices from picture to picture are computed.</summary>
+        public readonly bool moves;
+
         public WingHandle handle;
         public PlacedWing placed;
 
@@ -30,11 +33,12 @@ namespace Alate
         private readonly TemplateKey.WingKey m_Key;
         private readonly SkeletonValue m_Skeleton;
 
-        public LiveWing(Wing wing, SkeletonValue skeleton, MeshTemplate template, int shape, VertexPacking packing)
+        public LiveWing(Wing wing, SkeletonValue skeleton, MeshTemplate template, int shape, VertexPacking packing, bool moves)
         {
             m_Wing = wing;
             m_Skeleton = skeleton;
             this.packing = packing;
+            this.moves = moves;
             m_Key = new TemplateKey.WingKey(wing, skeleton.Hash);
             renderer = wing.Renderer;
             rig = template.Shapes[shape].Rig;

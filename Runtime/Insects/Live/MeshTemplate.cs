@@ -14,6 +14,7 @@ namespace Alate
         private const float k_Reach = 1.1f;
 
         private readonly Mesh m_Mesh;
+        private Mesh m_Moving;
 
         /// <summary>Makes a template of shapes that do not overlap; it takes over the shapes.</summary>
         public MeshTemplate(Mesh source, RiggedPart[] shapes)
@@ -22,8 +23,7 @@ namespace Alate
             Shapes = shapes;
             Starts = new int[shapes.Length];
             IsPacked = DeformableMesh.CanPack;
-            m_Mesh = DeformableMesh.Build(source, Order(source.vertexCount), IsPacked);
-            m_Mesh.bounds = Reach(source.bounds);
+            m_Mesh = Build(moves: false);
         }
 
         /// <summary>Mesh that the template was made of.</summary>
@@ -51,9 +51,12 @@ namespace Alate
         public bool IsOutdated { get; set; }
 
         /// <summary>Makes a mesh for one insect. Its bounds hold every pose the wings can take.</summary>
-        public Mesh CreateCopy()
+        /// <param name="moves">Whether its vertices have displacements, for motion vectors.</param>
+        public Mesh CreateCopy(bool moves)
         {
-            Mesh copy = Object.Instantiate(m_Mesh);
+            if (moves && m_Moving == null)
+                m_Moving = Build(moves: true);
+            Mesh copy = Object.Instantiate(moves ? m_Moving : m_Mesh);
             copy.name = m_Mesh.name;
             copy.hideFlags = HideFlags.HideAndDontSave;
             copy.MarkDynamic();
@@ -66,6 +69,14 @@ namespace Alate
             foreach (RiggedPart shape in Shapes)
                 shape.Rig.Release();
             ObjectEnd.Destroy(m_Mesh);
+            ObjectEnd.Destroy(m_Moving);
+        }
+
+        private Mesh Build(bool moves)
+        {
+            Mesh mesh = DeformableMesh.Build(Source, Order(Source.vertexCount), IsPacked, moves);
+            mesh.bounds = Reach(Source.bounds);
+            return mesh;
         }
 
         // The vertices of each wing in the order of its rig, then all others.

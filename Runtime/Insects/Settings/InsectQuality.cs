@@ -38,6 +38,13 @@ namespace Alate
             + "Costs as much as coarse patches.")]
         public bool keepForces;
 
+        /// <summary>
+        /// True where the wings have motion vectors of their own, for temporal antialiasing and motion blur; costs 8 bytes a vertex.
+        /// </summary>
+        [Tooltip("Gives the wings motion vectors of their own, for temporal antialiasing and motion blur. Costs 8 bytes a vertex; leave it "
+            + "off without such effects.")]
+        public bool motionVectors;
+
         /// <summary>Default settings: the preset's substeps, 64 patches, detail by screen size, nothing computed out of sight.</summary>
         public static InsectQuality Default => new InsectQuality
         {

@@ -14,9 +14,24 @@ namespace Alate
         /// <summary>Skins the quads of one cell from <paramref name="first"/> up to <paramref name="end"/> and widens the bounds.</summary>
         public static void Cell(CellBlend* blend, in SkinTarget target, int first, int end, SoaBounds* bounds)
         {
+            if (target.displacements != null)
+                Displacements.Cell(blend, target, first, end);
             Vertices(blend, target.rig.skinQuads, first, end, target.vertices, target.packedVertices, bounds);
             if (target.tangents != null || target.packedTangents != null)
                 Tangents(blend, target.rig.skinQuads, target.rig.skinTangents, first, end, target.tangents, target.packedTangents);
+        }
+
+        /// <summary>Deformed positions of four vertices, mesh space.</summary>
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public static SoaFloat3 Position(CellBlend* blend, SkinQuad* quad)
+        {
+            float4 u = quad->u, v = quad->v;
+            SoaFloat3 q = BlendReal(blend, u, v), e = BlendDual(blend, u, v);
+            float4 w = blend->c.realW + blend->cu.realW * u + (blend->cv.realW + blend->cuv.realW * u) * v;
+            float4 ew = blend->c.dualW + blend->cu.dualW * u + (blend->cv.dualW + blend->cuv.dualW * u) * v;
+            float4 scale = 2f / (SoaFloat3.LengthSquared(q) + w * w);
+            var p = new SoaFloat3(quad->px, quad->py, quad->pz);
+            return p + (SoaFloat3.Cross(q, SoaFloat3.Cross(q, p) + p * w + e) + (e * w - q * ew)) * scale;
         }
 
         private static void Vertices(

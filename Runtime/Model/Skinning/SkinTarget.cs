@@ -4,7 +4,7 @@ namespace Alate
 {
     /// <summary>Wing as passed to the skinning job: its pose, its rig, and the vertices to write.</summary>
     /// <remarks>
-    /// 416 bytes a wing, the rig's view by value: a chunk of the job needs nothing but its target and the pack.
+    /// 424 bytes a wing, the rig's view by value: a chunk of the job needs nothing but its target and the pack.
     /// </remarks>
     internal unsafe struct SkinTarget
     {
@@ -18,6 +18,9 @@ namespace Alate
         /// <summary>True where the job deforms the wing; otherwise vertices and bounds stay.</summary>
         public bool skinned;
 
+        /// <summary>True where the vertices are those of the last picture; otherwise displacements are 0.</summary>
+        public bool displaces;
+
         /// <summary>[vertexCount] Deformed vertices, in the mesh's order; null where they are packed.</summary>
         public SkinnedVertex* vertices;
 
@@ -29,6 +32,9 @@ namespace Alate
 
         /// <summary>[vertexCount] Deformed tangents by <see cref="SignedBytes"/>; null as <see cref="tangents"/>.</summary>
         public int* packedTangents;
+
+        /// <summary>[vertexCount] Ways of the vertices since the last picture; null where they are not wanted.</summary>
+        public VertexDisplacement* displacements;
     }
 
     /// <summary>Work of one index of the skinning job: some quads of one wing.</summary>

@@ -175,11 +175,17 @@ namespace Alate
         public void SetSkinned(WingEntry entry, bool skinned)
         {
             entry.skinned = skinned;
-            if (m_Stale)
+            entry.displaces &= skinned;
+            Write(entry);
+        }
+
+        /// <summary>Sets whether a wing's vertices are those of the last picture, from which displacements lead.</summary>
+        public void SetDisplaces(WingEntry entry, bool displaces)
+        {
+            if (entry.displaces == displaces)
                 return;
-            SkinTarget target = m_Targets[entry.target];
-            target.skinned = skinned;
-            m_Targets[entry.target] = target;
+            entry.displaces = displaces;
+            Write(entry);
         }
 
         /// <summary>Bounds of one wing's deformed vertices.</summary>
@@ -199,6 +205,16 @@ namespace Alate
             if (m_Scratch != null)
                 UnsafeUtility.FreeTracked(m_Scratch, Allocator.Persistent);
             m_Scratch = null;
+        }
+
+        private void Write(WingEntry entry)
+        {
+            if (m_Stale)
+                return;
+            SkinTarget target = m_Targets[entry.target];
+            target.skinned = entry.skinned;
+            target.displaces = entry.displaces;
+            m_Targets[entry.target] = target;
         }
 
         private ChunkBounds Merged(WingEntry entry)
@@ -261,6 +277,8 @@ namespace Alate
                 tangents = (float4*)Pointer(entry.tangents),
                 packedVertices = (PackedVertex*)Pointer(entry.packedVertices),
                 packedTangents = (int*)Pointer(entry.packedTangents),
+                displaces = entry.displaces,
+                displacements = (VertexDisplacement*)Pointer(entry.displacements),
             };
             entry.firstChunk = m_ChunkCount;
             int quads = entry.rig.View.quadCount;

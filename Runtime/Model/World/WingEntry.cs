@@ -30,6 +30,9 @@ namespace Alate
         /// <summary>Deformed tangents by <see cref="SignedBytes"/>; not created as <see cref="tangents"/>.</summary>
         public NativeArray<int> packedTangents;
 
+        /// <summary>Ways of the vertices since the last picture; not created where they are not wanted.</summary>
+        public NativeArray<VertexDisplacement> displacements;
+
         /// <summary>Index of the wing's first chunk in the skinning job, and number of chunks.</summary>
         public int firstChunk;
         public int chunkCount;
@@ -40,15 +43,20 @@ namespace Alate
         /// <summary>True where the skinning job deforms the wing.</summary>
         public bool skinned = true;
 
+        /// <summary>True where the vertices are those of the last picture.</summary>
+        public bool displaces;
+
         /// <summary>Bounds of the wing's vertices, kept while the jobs' arrays are laid out again.</summary>
         public ChunkBounds bounds;
 
-        public unsafe WingEntry(WingRig rig, int version, in WingParameters parameters, VertexPacking packing)
+        public unsafe WingEntry(WingRig rig, int version, in WingParameters parameters, VertexPacking packing, bool moves)
         {
             this.rig = rig;
             this.version = version;
             this.parameters = parameters;
             rig.Retain();
+            if (moves)
+                displacements = new NativeArray<VertexDisplacement>(rig.VertexCount, Allocator.Persistent);
             bool hasTangents = rig.View.skinTangents != null;
             if (packing != VertexPacking.None)
             {
@@ -69,6 +77,7 @@ namespace Alate
             GrowingArray.Free(ref tangents);
             GrowingArray.Free(ref packedVertices);
             GrowingArray.Free(ref packedTangents);
+            GrowingArray.Free(ref displacements);
             rig.Release();
         }
     }

@@ -1,9 +1,7 @@
 using System;
 using System.Collections.Generic;
-using Unity.Collections;
 using Unity.Jobs;
 using Unity.Mathematics;
-using UnityEngine;
 using UnityEngine.Scripting.APIUpdating;
 
 namespace Alate
@@ -56,7 +54,7 @@ namespace Alate
 
         internal WingHandle Add(
             WingRig rig, in WingParameters parameters, in WingSurroundings surroundings, in PackKey packKey,
-            VertexPacking packing = VertexPacking.None)
+            VertexPacking packing = VertexPacking.None, bool moves = false)
         {
             if (rig == null)
                 throw new ArgumentNullException(nameof(rig));
@@ -69,7 +67,7 @@ namespace Alate
             int index = m_Free.Count > 0 ? m_Free.Pop() : m_Entries.Count;
             if (index == m_Entries.Count)
                 m_Entries.Add(null);
-            var entry = new WingEntry(rig, m_NextVersion++, parameters, packing) { surroundings = surroundings, packKey = packKey };
+            var entry = new WingEntry(rig, m_NextVersion++, parameters, packing, moves) { surroundings = surroundings, packKey = packKey };
             m_Entries[index] = entry;
             Count++;
             m_Arrays.Download(m_Packs.Packs, m_Entries);
@@ -145,7 +143,12 @@ namespace Alate
 
         /// <summary>Puts a wing back to the start of its beat, in the driven pose, at rest.</summary>
         /// <exception cref="ArgumentException">No such wing.</exception>
-        public void Reset(WingHandle wing) => DeriveAndRestart(Entry(wing), restart: true);
+        public void Reset(WingHandle wing)
+        {
+            WingEntry entry = Entry(wing);
+            DeriveAndRestart(entry, restart: true);
+            m_Arrays.SetDisplaces(entry, false);
+        }
 
         /// <summary>
         /// Advances a wing's beat by a time in which it was not stepped, seconds: in phase with the stepped wings, in the driven pose,
@@ -239,27 +242,6 @@ namespace Alate
             m_Pending.Complete();
             m_Pending = default;
         }
-
-        /// <summary>Vertices that the last <see cref="Skin"/> made: mesh space, in the mesh's vertex order. Do not dispose.</summary>
-        /// <exception cref="ArgumentException">No such wing.</exception>
-        public NativeArray<SkinnedVertex> Vertices(WingHandle wing) => Entry(wing).vertices;
-
-        /// <summary>Tangents that go with the vertices, w the handedness; not created where the mesh has none.</summary>
-        /// <exception cref="ArgumentException">No such wing.</exception>
-        public NativeArray<float4> Tangents(WingHandle wing) => Entry(wing).tangents;
-
-        /// <summary>
-        /// Vertices of a wing that was added with packing; not created otherwise, as those of <see cref="Vertices"/> are not for such a
-        /// wing.
-        /// </summary>
-        internal NativeArray<PackedVertex> PackedVertices(WingHandle wing) => Entry(wing).packedVertices;
-
-        /// <summary>Tangents of a wing that was added with packing; not created where they are not wanted, or the mesh has none.</summary>
-        internal NativeArray<int> PackedTangents(WingHandle wing) => Entry(wing).packedTangents;
-
-        /// <summary>Bounds of the vertices that the last <see cref="Skin"/> made, mesh space.</summary>
-        /// <exception cref="ArgumentException">No such wing.</exception>
-        public Bounds Bounds(WingHandle wing) => m_Arrays.Bounds(Entry(wing));
 
         /// <summary>Waits for pending work and frees everything; the rigs are released.</summary>
         public void Dispose()

@@ -30,6 +30,15 @@ public static partial class @math
     public static uint4 asuint(float4 x) => new(x.lanes);
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static uint4 f32tof16(float4 x) => new(f32tof16(x.x), f32tof16(x.y), f32tof16(x.z), f32tof16(x.w));
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static uint f32tof16(float x) => BitConverter.HalfToUInt16Bits((Half)x);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
+    public static float f16tof32(uint x) => (float)BitConverter.UInt16BitsToHalf((ushort)x);
+
+    [MethodImpl(MethodImplOptions.AggressiveInlining)]
     public static float asfloat(int x) => BitConverter.Int32BitsToSingle(x);
 
     [MethodImpl(MethodImplOptions.AggressiveInlining)]

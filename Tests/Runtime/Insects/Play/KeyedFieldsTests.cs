@@ -40,6 +40,7 @@ namespace Alate.Tests.Play
             ["m_Quality.screenHeights.restBelow"] = "by the height on the screen",
             ["m_Quality.culling"] = "whether cameras see it",
             ["m_Quality.keepForces"] = "where cameras do not see it",
+            ["m_Quality.motionVectors"] = "what shaders read besides the wings",
             ["m_Air.windZones"] = "no wind zone here",
             ["m_Seed"] = "the track as a whole, when it starts",
             ["m_FromStart"] = "where the volume is, when the track starts",

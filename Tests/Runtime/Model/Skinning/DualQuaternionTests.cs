@@ -35,6 +35,55 @@ namespace Alate.Tests
             Assert.That(q.z, Is.EqualTo(expected.z).Within(Lanes.CheckTolerance));
         }
 
+        // The vertices still hold another place, from which the way leads; without a last picture there is none.
+        [Test]
+        public unsafe void TheWay_LeadsFromTheLastPlace([Values] bool packed, [Values] bool displaces)
+        {
+            var a = new DualQuaternion(quaternion.RotateZ(math.radians(40f)), new float3(1f, 0f, 0f));
+            CellBlend blend = default;
+            blend.Set(a, a, a, a);
+            var quad = new SkinQuad
+            {
+                u = 0.4f,
+                v = 0.2f,
+                px = new float4(0.3f, 0.1f, -0.5f, 0.7f),
+                py = 0.4f,
+                pz = 0.5f,
+                ny = 1f,
+                target = new int4(2, 0, 3, 1),
+            };
+            SkinnedVertex* vertices = stackalloc SkinnedVertex[5];
+            PackedVertex* packedVertices = stackalloc PackedVertex[4];
+            VertexDisplacement* ways = stackalloc VertexDisplacement[4];
+            var last = new float3[4];
+            for (int vertex = 0; vertex < 4; vertex++)
+            {
+                last[vertex] = new float3(0.1f * vertex, 0.7f - vertex, 0.25f);
+                vertices[vertex].position = packedVertices[vertex].position = last[vertex];
+                ways[vertex] = new VertexDisplacement { xy = uint.MaxValue, z = uint.MaxValue };
+            }
+
+            var target = new SkinTarget { displaces = displaces, displacements = ways };
+            if (packed)
+                target.packedVertices = packedVertices;
+            else
+                target.vertices = vertices;
+            target.rig.skinQuads = &quad;
+            SoaBounds bounds = SoaBounds.Empty;
+            DualQuaternionSkinning.Cell(&blend, target, 0, 1, &bounds);
+
+            for (int vertex = 0; vertex < 4; vertex++)
+            {
+                float3 now = packed ? packedVertices[vertex].position : vertices[vertex].position;
+                float3 wanted = displaces ? now - last[vertex] : default;
+                var way = new float3(
+                    math.f16tof32(ways[vertex].xy & 0xFFFF), math.f16tof32(ways[vertex].xy >> 16),
+                    math.f16tof32(ways[vertex].z & 0xFFFF));
+                Assert.That(math.distance(way, wanted), Is.LessThan(1e-3f), $"vertex {vertex}");
+                Assert.That(ways[vertex].z >> 16, Is.Zero);
+            }
+        }
+
         private static unsafe void AssertPoint(CellBlend blend, float v)
         {
             var quad =

@@ -1,0 +1,49 @@
+using System;
+using Unity.Collections;
+using Unity.Mathematics;
+using UnityEngine;
+
+namespace Alate
+{
+    /// <content>Deformed vertices, and their ways from picture to picture for motion vectors.</content>
+    public sealed partial class WingWorld
+    {
+        /// <summary>Vertices that the last <see cref="Skin"/> made: mesh space, in the mesh's vertex order. Do not dispose.</summary>
+        /// <exception cref="ArgumentException">No such wing.</exception>
+        public NativeArray<SkinnedVertex> Vertices(WingHandle wing) => Entry(wing).vertices;
+
+        /// <summary>Tangents that go with the vertices, w the handedness; not created where the mesh has none.</summary>
+        /// <exception cref="ArgumentException">No such wing.</exception>
+        public NativeArray<float4> Tangents(WingHandle wing) => Entry(wing).tangents;
+
+        /// <summary>
+        /// Vertices of a wing that was added with packing; not created otherwise, as those of <see cref="Vertices"/> are not for such a
+        /// wing.
+        /// </summary>
+        internal NativeArray<PackedVertex> PackedVertices(WingHandle wing) => Entry(wing).packedVertices;
+
+        /// <summary>Tangents of a wing that was added with packing; not created where they are not wanted, or the mesh has none.</summary>
+        internal NativeArray<int> PackedTangents(WingHandle wing) => Entry(wing).packedTangents;
+
+        /// <summary>Bounds of the vertices that the last <see cref="Skin"/> made, mesh space.</summary>
+        /// <exception cref="ArgumentException">No such wing.</exception>
+        public Bounds Bounds(WingHandle wing) => m_Arrays.Bounds(Entry(wing));
+
+        /// <summary>
+        /// Ways of the vertices from the last picture to the last <see cref="Skin"/>; not created for a wing that was added without. They
+        /// are 0 until <see cref="TakePicture"/>, and after a reset or a time in which the wing was not deformed.
+        /// </summary>
+        internal NativeArray<VertexDisplacement> Displacements(WingHandle wing) => Entry(wing).displacements;
+
+        /// <summary>Notes that a picture shows a wing's vertices: the next displacements lead from them.</summary>
+        internal void TakePicture(WingHandle wing) => m_Arrays.SetDisplaces(Entry(wing), true);
+
+        /// <summary>Sets a wing's displacements to 0: a picture shows the vertices that the last one showed.</summary>
+        internal void StopDisplacements(WingHandle wing)
+        {
+            NativeArray<VertexDisplacement> displacements = Entry(wing).displacements;
+            for (int vertex = 0; vertex < displacements.Length; vertex++)
+                displacements[vertex] = default;
+        }
+    }
+}
