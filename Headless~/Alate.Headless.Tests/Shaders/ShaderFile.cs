@@ -41,11 +41,15 @@ internal sealed class ShaderFile
             Universal = required.Success ? required.Groups[1].Value : null;
             string included = string.Concat(
                 Regex.Matches(text, @"(?:HLSL|CG)INCLUDE\b(.*?)END(?:HLSL|CG)\b", RegexOptions.Singleline).Select(m => m.Groups[1].Value));
+            Tags = Blocks(text, "Tags").FirstOrDefault() ?? "";
             Passes = [.. Blocks(text, "Pass").Select(pass => new Pass(pass, included))];
         }
 
         /// <summary>Range of versions of URP; null asks for none, as the built-in pipeline does.</summary>
         public string Universal { get; }
+
+        /// <summary>Text of its tags.</summary>
+        public string Tags { get; }
 
         public IReadOnlyList<Pass> Passes { get; }
 

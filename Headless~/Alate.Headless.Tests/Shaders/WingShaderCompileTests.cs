@@ -91,9 +91,9 @@ public sealed class WingShaderCompileTests
     }
 
     [Test]
-    public void EveryVersionOfUrp_From14On_TakesOneSubShader_WithPassesForShadowsDepthAndNormals()
+    public void EveryVersionOfUrp_From14On_TakesOneSubShader_WithPassesForShadowsDepthNormalsAndMotion()
     {
-        string[] modes = ["UniversalForwardOnly", "ShadowCaster", "DepthOnly", "DepthNormalsOnly"];
+        string[] modes = ["UniversalForwardOnly", "ShadowCaster", "DepthOnly", "DepthNormalsOnly", "MotionVectors"];
         foreach (string version in new[] { "14.0.0", "14.0.11", "15.0.7", "16.0.6", "17.0.3", "17.1.0", "17.5.0", "18.0.0" })
         {
             ShaderFile.SubShader[] fitting = [.. Shader.SubShaders.Where(sub => sub.Takes(Version.Parse(version)))];
@@ -102,6 +102,29 @@ public sealed class WingShaderCompileTests
         }
 
         Assert.That(Shader.SubShaders.Any(sub => sub.Takes(Version.Parse("12.1.7"))), Is.False);
+    }
+
+    [Test]
+    public void EveryPipeline_DrawsMotionVectors_AndUrpOfThoseThatStandStill()
+    {
+        foreach (ShaderFile.SubShader sub in Shader.SubShaders)
+        {
+            Assert.That(sub.Passes.Count(pass => pass.LightMode == "MotionVectors"), Is.EqualTo(1), sub.Universal);
+            Assert.That(sub.Tags.Contains("\"AlwaysRenderMotionVectors\" = \"true\""), Is.EqualTo(sub.Universal != null));
+        }
+    }
+
+    [Test]
+    public void LightsOfOtherRenderingLayers_GiveNoLight_InEveryVersionOfUrp()
+    {
+        ShaderFile.Pass[] forward =
+            [.. Shader.SubShaders.SelectMany(sub => sub.Passes).Where(pass => pass.LightMode == "UniversalForwardOnly")];
+        Assert.That(forward, Has.Length.EqualTo(2));
+        foreach (ShaderFile.Pass pass in forward)
+        {
+            string text = IncludedText.Of(pass.Program, ShaderFolder, [Path.Combine(Includes, "Universal")]);
+            Assert.That(KeywordSets.EachOf(pass.Program, "fragment", text).SelectMany(set => set), Does.Contain("_LIGHT_LAYERS"));
+        }
     }
 
     [Test]

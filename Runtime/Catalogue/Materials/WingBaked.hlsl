@@ -1,5 +1,5 @@
 // Wings of baked insects: a texture holds where each vertex is at each frame, normals in its upper half. An instance says which rows are shown, of two loops that are blended,
-// and its tint. Needs _BakeMap, _BakeMap_TexelSize and ALATE_BAKE_SAMPLE(coordinates).
+// and its tint; with ALATE_MOTION also which rows the last picture showed. Needs _BakeMap, _BakeMap_TexelSize and ALATE_BAKE_SAMPLE(coordinates).
 #ifndef ALATE_WING_BAKED
 #define ALATE_WING_BAKED
 
@@ -18,14 +18,36 @@ float3 AlateBakedLoop(float2 first, float3 rows)
     return lerp(ALATE_BAKE_SAMPLE(before), ALATE_BAKE_SAMPLE(after), rows.z);
 }
 
-float3 AlateBaked(float2 first)
+float3 AlateBakedLoops(float2 first, float4 rows, float4 nextRows)
 {
-    float4 rows = UNITY_ACCESS_INSTANCED_PROP(AlateBaked, _BakeRows);
     float3 value = AlateBakedLoop(first, rows.xyz);
     if (rows.w > 0)
-        value = lerp(value, AlateBakedLoop(first, UNITY_ACCESS_INSTANCED_PROP(AlateBaked, _BakeNextRows).xyz), rows.w);
+        value = lerp(value, AlateBakedLoop(first, nextRows.xyz), rows.w);
     return value;
 }
+
+float3 AlateBaked(float2 first)
+{
+    return AlateBakedLoops(
+        first, UNITY_ACCESS_INSTANCED_PROP(AlateBaked, _BakeRows), UNITY_ACCESS_INSTANCED_PROP(AlateBaked, _BakeNextRows));
+}
+
+#if defined(ALATE_MOTION)
+
+// The last of the next loop's four numbers is 1 where the rows are known.
+UNITY_INSTANCING_BUFFER_START(AlateBakedLast)
+    UNITY_DEFINE_INSTANCED_PROP(float4, _BakeLastRows)
+    UNITY_DEFINE_INSTANCED_PROP(float4, _BakeLastNextRows)
+UNITY_INSTANCING_BUFFER_END(AlateBakedLast)
+
+float3 AlateBakedBefore(float2 first, float3 now)
+{
+    float4 nextRows = UNITY_ACCESS_INSTANCED_PROP(AlateBakedLast, _BakeLastNextRows);
+    if (nextRows.w < 0.5)
+        return now;
+    return AlateBakedLoops(first, UNITY_ACCESS_INSTANCED_PROP(AlateBakedLast, _BakeLastRows), nextRows);
+}
+#endif
 
 #define ALATE_BAKED_INPUT float2 baked : TEXCOORD1;
 #define ALATE_BAKE_POSITION(corner, field) corner.field = float4(AlateBaked(corner.baked), 1);

@@ -53,6 +53,10 @@ Varyings Vertex(Attributes corner)
 
 float3 LightOf(Light light, half3 colour, float3 normal, float3 toEye)
 {
+    #if defined(_LIGHT_LAYERS)
+    if (!IsMatchingLightLayer(light.layerMask, GetMeshRenderingLayer()))
+        return float3(0, 0, 0);
+    #endif
     float3 arriving = light.color * (light.distanceAttenuation * light.shadowAttenuation);
     return AlateWingLight(colour, normal, toEye, light.direction, arriving, _Through, _Gloss, _Shine);
 }

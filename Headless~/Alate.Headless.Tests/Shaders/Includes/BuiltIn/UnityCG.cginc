@@ -12,6 +12,12 @@ SamplerState standin_sampler;
 #define UNITY_INITIALIZE_OUTPUT(type, name) name = (type)0;
 #define TRANSFORM_TEX(uv, name) ((uv).xy * name##_ST.xy + name##_ST.zw)
 
+#if defined(UNITY_STEREO_INSTANCING_ENABLED)
+#define USING_STEREO_MATRICES
+#endif
+#define UNITY_REVERSED_Z 1
+#define UNITY_UV_STARTS_AT_TOP 1
+
 float4x4 unity_ObjectToWorld, unity_MatrixVP;
 float4 _WorldSpaceLightPos0, _LightPositionRange;
 half4 unity_FogColor;

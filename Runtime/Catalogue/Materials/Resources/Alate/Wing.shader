@@ -26,7 +26,11 @@ Shader "Alate/Wing"
             "com.unity.render-pipelines.universal": "17.1.0"
         }
 
-        Tags { "RenderPipeline" = "UniversalPipeline" "RenderType" = "Opaque" "Queue" = "Geometry" }
+        Tags
+        {
+            "RenderPipeline" = "UniversalPipeline" "RenderType" = "Opaque" "Queue" = "Geometry" "AlwaysRenderMotionVectors" = "true"
+        }
+
         Cull [_Cull]
 
         Pass
@@ -45,6 +49,7 @@ Shader "Alate/Wing"
             #pragma multi_compile _ _CLUSTER_LIGHT_LOOP
             #pragma multi_compile_fragment _ _ADDITIONAL_LIGHT_SHADOWS
             #pragma multi_compile_fragment _ _SHADOWS_SOFT
+            #pragma multi_compile_fragment _ _LIGHT_LAYERS
             #pragma multi_compile_fog
             #pragma multi_compile_instancing
             #pragma multi_compile_local _ _BAKED
@@ -103,6 +108,22 @@ Shader "Alate/Wing"
             #include "../../Universal/WingDepthNormals.hlsl"
             ENDHLSL
         }
+
+        Pass
+        {
+            Name "MotionVectors"
+            Tags { "LightMode" = "MotionVectors" }
+            ColorMask RG
+
+            HLSLPROGRAM
+            #pragma target 3.0
+            #pragma vertex Vertex
+            #pragma fragment Fragment
+            #pragma multi_compile_instancing
+            #pragma multi_compile_local _ _BAKED
+            #include "../../Universal/WingMotion.hlsl"
+            ENDHLSL
+        }
     }
 
     // URP 14 to 17.0 know clustered lights as Forward+. All else is as above.
@@ -113,7 +134,11 @@ Shader "Alate/Wing"
             "com.unity.render-pipelines.universal": "[14.0.0,17.1.0)"
         }
 
-        Tags { "RenderPipeline" = "UniversalPipeline" "RenderType" = "Opaque" "Queue" = "Geometry" }
+        Tags
+        {
+            "RenderPipeline" = "UniversalPipeline" "RenderType" = "Opaque" "Queue" = "Geometry" "AlwaysRenderMotionVectors" = "true"
+        }
+
         Cull [_Cull]
 
         Pass
@@ -132,6 +157,7 @@ Shader "Alate/Wing"
             #pragma multi_compile _ _FORWARD_PLUS
             #pragma multi_compile_fragment _ _ADDITIONAL_LIGHT_SHADOWS
             #pragma multi_compile_fragment _ _SHADOWS_SOFT
+            #pragma multi_compile_fragment _ _LIGHT_LAYERS
             #pragma multi_compile_fog
             #pragma multi_compile_instancing
             #pragma multi_compile_local _ _BAKED
@@ -188,6 +214,23 @@ Shader "Alate/Wing"
             #pragma multi_compile_instancing
             #pragma multi_compile_local _ _BAKED
             #include "../../Universal/WingDepthNormals.hlsl"
+            ENDHLSL
+        }
+
+        Pass
+        {
+            Name "MotionVectors"
+            Tags { "LightMode" = "MotionVectors" }
+            ColorMask RG
+
+            HLSLPROGRAM
+            #pragma target 3.0
+            #pragma vertex Vertex
+            #pragma fragment Fragment
+            #pragma multi_compile_instancing
+            #pragma multi_compile_local _ _BAKED
+            #define ALATE_MOTION_BIAS
+            #include "../../Universal/WingMotion.hlsl"
             ENDHLSL
         }
     }
@@ -308,6 +351,22 @@ Shader "Alate/Wing"
                 clip(AlateShadowHole(Paint(i.colour, i.uv).a, i.pos.xy));
                 SHADOW_CASTER_FRAGMENT(i)
             }
+            ENDCG
+        }
+
+        // Unity draws its objects one by one here.
+        Pass
+        {
+            Name "MotionVectors"
+            Tags { "LightMode" = "MotionVectors" }
+            ZWrite Off
+
+            CGPROGRAM
+            #pragma target 3.0
+            #pragma vertex Vertex
+            #pragma fragment Fragment
+            #pragma multi_compile_local _ _BAKED
+            #include "../../BuiltIn/WingMotion.cginc"
             ENDCG
         }
     }

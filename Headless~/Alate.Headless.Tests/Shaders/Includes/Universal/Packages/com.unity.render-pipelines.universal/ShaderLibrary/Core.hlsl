@@ -36,6 +36,7 @@
 #define TRANSFORM_TEX(uv, name) ((uv).xy * name##_ST.xy + name##_ST.zw)
 #define UNITY_REVERSED_Z 1
 #define UNITY_NEAR_CLIP_VALUE 1.0
+#define UNITY_UV_STARTS_AT_TOP 1
 
 #define MAX_VISIBLE_LIGHTS 256
 #if STANDIN_CLUSTERS
@@ -43,7 +44,28 @@ float4 _FPParams0;
 #define URP_FP_DIRECTIONAL_LIGHTS_COUNT ((uint)_FPParams0.w)
 #endif
 
-float4x4 unity_ObjectToWorld, unity_MatrixVP;
+float4x4 unity_ObjectToWorld, unity_MatrixPreviousM, unity_MatrixVP;
+float4 unity_MotionVectorsParams, unity_RenderingLayer;
+#if defined(UNITY_STEREO_INSTANCING_ENABLED)
+float4x4 _NonJitteredViewProjMatrixStereo[2], _PrevViewProjMatrixStereo[2];
+#define _NonJitteredViewProjMatrix _NonJitteredViewProjMatrixStereo[unity_StereoEyeIndex]
+#define _PrevViewProjMatrix _PrevViewProjMatrixStereo[unity_StereoEyeIndex]
+#else
+float4x4 _NonJitteredViewProjMatrix, _PrevViewProjMatrix;
+#endif
+#if defined(INSTANCING_ON)
+UNITY_INSTANCING_BUFFER_START(PerDraw0)
+    UNITY_DEFINE_INSTANCED_PROP(float4x4, unity_ObjectToWorldArray)
+UNITY_INSTANCING_BUFFER_END(unity_Builtins0)
+UNITY_INSTANCING_BUFFER_START(PerDraw3)
+    UNITY_DEFINE_INSTANCED_PROP(float4x4, unity_PrevObjectToWorldArray)
+UNITY_INSTANCING_BUFFER_END(unity_Builtins3)
+#define UNITY_MATRIX_M UNITY_ACCESS_INSTANCED_PROP(unity_Builtins0, unity_ObjectToWorldArray)
+#define UNITY_PREV_MATRIX_M UNITY_ACCESS_INSTANCED_PROP(unity_Builtins3, unity_PrevObjectToWorldArray)
+#else
+#define UNITY_MATRIX_M unity_ObjectToWorld
+#define UNITY_PREV_MATRIX_M unity_MatrixPreviousM
+#endif
 float4 unity_FogColor;
 
 struct InputData
@@ -60,11 +82,12 @@ struct InputData
     half4 shadowMask;
 };
 
-float3 TransformObjectToWorld(float3 positionOS) { return mul(unity_ObjectToWorld, float4(positionOS, 1)).xyz; }
+float3 TransformObjectToWorld(float3 positionOS) { return mul(UNITY_MATRIX_M, float4(positionOS, 1)).xyz; }
 float4 TransformWorldToHClip(float3 positionWS) { return mul(unity_MatrixVP, float4(positionWS, 1)); }
 float4 TransformObjectToHClip(float3 positionOS) { return TransformWorldToHClip(TransformObjectToWorld(positionOS)); }
 float3 TransformObjectToWorldNormal(float3 normalOS, bool doNormalize = true) { return normalOS; }
 float3 GetWorldSpaceNormalizeViewDir(float3 positionWS) { return positionWS; }
+uint GetMeshRenderingLayer() { return asuint(unity_RenderingLayer.x); }
 float2 GetNormalizedScreenSpaceUV(float4 positionCS) { return positionCS.xy; }
 float ComputeFogFactor(float zPositionCS) { return zPositionCS; }
 float3 MixFogColor(float3 fragColor, float3 fogColor, float fogFactor) { return lerp(fogColor, fragColor, fogFactor); }

@@ -43,6 +43,9 @@ Light GetMainLight()
 Light GetMainLight(float4 shadowCoord) { return GetMainLight(); }
 Light GetAdditionalLight(uint i, float3 positionWS, half4 shadowMask) { return GetMainLight(); }
 int GetAdditionalLightsCount() { return (int)_AdditionalLightsCount.x; }
+#if defined(_LIGHT_LAYERS)
+bool IsMatchingLightLayer(uint lightLayers, uint renderingLayers) { return (lightLayers & renderingLayers) != 0; }
+#endif
 half3 SampleSH(float3 normalWS) { return normalWS; }
 
 #endif
