@@ -74,7 +74,7 @@ namespace Alate.Crowds
         /// <exception cref="ArgumentOutOfRangeException">Too many, or fewer than none.</exception>
         public int Count
         {
-            get => m_Count;
+            get => Mathf.Clamp(m_Count, 0, MaxCount);
             set
             {
                 if (value < 0 || value > MaxCount)
@@ -110,7 +110,7 @@ namespace Alate.Crowds
         /// <summary>Number of the nearest insects that are live, 0 to 64 (clamped).</summary>
         public int LiveCount
         {
-            get => m_LiveCount;
+            get => Mathf.Clamp(m_LiveCount, 0, CrowdTwins.MaxCount);
             set
             {
                 int count = Mathf.Clamp(value, 0, CrowdTwins.MaxCount);
@@ -175,12 +175,12 @@ namespace Alate.Crowds
                 return;
             Camera eye = m_Camera != null ? m_Camera : Camera.main;
             m_Pending.Complete();
-            m_Twins.Update(m_LivePrefab, eye == null ? 0 : m_LiveCount, m_Insect, m_Buffers, seconds);
+            m_Twins.Update(m_LivePrefab, eye == null ? 0 : LiveCount, m_Insect, m_Buffers, seconds);
             var job = new CrowdStepJob
             {
                 seconds = seconds,
                 shape = Shape,
-                ranks = eye != null && m_LivePrefab != null && m_LiveCount > 0,
+                ranks = eye != null && m_LivePrefab != null && LiveCount > 0,
                 view = eye == null ? default : CameraView.Of(eye, false),
                 loops = m_Buffers.loops,
                 poses = m_Buffers.poses,
@@ -225,7 +225,7 @@ namespace Alate.Crowds
         {
             m_Pending.Complete();
             string problem = Problem;
-            if (m_Buffers != null && problem == null && m_Buffers.Fits(m_Count, m_Insect))
+            if (m_Buffers != null && problem == null && m_Buffers.Fits(Count, m_Insect))
                 return true;
 
             // The inspector and undo write fields at any time, and an asset can be deleted or baked again while it is drawn.
@@ -240,7 +240,7 @@ namespace Alate.Crowds
             }
 
             m_Insect.FreeCopies();
-            m_Buffers = new CrowdBuffers(m_Count, 2 * CrowdTwins.MaxCount, m_Insect);
+            m_Buffers = new CrowdBuffers(Count, 2 * CrowdTwins.MaxCount, m_Insect);
             m_Batches = new CrowdBatches();
             m_Twins = new CrowdTwins(gameObject.scene);
             m_Cameras = new CrowdCameras(gameObject, Draw);

@@ -58,7 +58,7 @@ namespace Alate.Flight
             body.wind = wind / m_Units;
             body.weight = gravity * m_Model.GravityShare;
             body.gravity = gravity;
-            body.aid = m_Aid;
+            body.aid = Aid;
             Fly(ref body, length, count);
             m_Time += dt;
             if (m_World == null)

@@ -55,8 +55,8 @@ namespace Alate.Flight
         /// <summary>Outer help towards wanted velocity and attitude, 0 to 1 (clamped); 0 flies by the wings alone.</summary>
         public float Aid
         {
-            get => m_Aid;
-            set => m_Aid = float.IsNaN(value) ? 0f : math.saturate(value);
+            get => NumberRange.Clamp(m_Aid, 0f, 1f, 0f);
+            set => m_Aid = NumberRange.Clamp(value, 0f, 1f, 0f);
         }
 
         /// <summary>

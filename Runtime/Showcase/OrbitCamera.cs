@@ -17,6 +17,7 @@ namespace Alate.Showcase
         private const float k_DegreesPerPixel = 0.3f, k_ZoomPerNotch = 0.15f, k_SteepestPitch = 89f;
         private const float k_DegreesPerSecond = 120f, k_ZoomPerSecond = 1.5f, k_DeadZone = 0.15f;
         private const float k_LeastDistance = 0.05f, k_MostDistance = 1000f, k_NearShare = 0.02f;
+        private const float k_Distance = 3f, k_Pitch = 25f, k_MostYaw = 1e6f, k_Farthest = 1e7f;
 
         [SerializeField]
         [Tooltip("The point that is looked at, world units.")]
@@ -25,7 +26,7 @@ namespace Alate.Showcase
         [SerializeField]
         [Range(k_LeastDistance, k_MostDistance)]
         [Tooltip("World units from the camera to the point.")]
-        private float m_Distance = 3f;
+        private float m_Distance = k_Distance;
 
         [SerializeField]
         [Tooltip("Degrees to the side the camera looks to; 0 looks along Z.")]
@@ -34,10 +35,10 @@ namespace Alate.Showcase
         [SerializeField]
         [Range(-k_SteepestPitch, k_SteepestPitch)]
         [Tooltip("Degrees the camera looks down.")]
-        private float m_Pitch = 25f;
+        private float m_Pitch = k_Pitch;
 
         private PointerFrame m_Last;
-        private bool m_IsDragged;
+        private bool m_IsDragged, m_IsTold;
 
         /// <summary>Point that the camera turns about, world units.</summary>
         public Vector3 Target
@@ -49,8 +50,8 @@ namespace Alate.Showcase
         /// <summary>Distance from the camera to its target, world units, 0.05 to 1000 (clamped).</summary>
         public float Distance
         {
-            get => m_Distance;
-            set => m_Distance = Mathf.Clamp(value, k_LeastDistance, k_MostDistance);
+            get => Within(m_Distance, k_LeastDistance, k_MostDistance, k_Distance);
+            set => m_Distance = Within(value, k_LeastDistance, k_MostDistance, k_Distance);
         }
 
         /// <summary>Direction of view to the side, degrees; 0 looks along Z.</summary>
@@ -63,8 +64,8 @@ namespace Alate.Showcase
         /// <summary>Direction of view downwards, degrees, −89 to 89 (clamped).</summary>
         public float Pitch
         {
-            get => m_Pitch;
-            set => m_Pitch = Mathf.Clamp(value, -k_SteepestPitch, k_SteepestPitch);
+            get => Within(m_Pitch, -k_SteepestPitch, k_SteepestPitch, k_Pitch);
+            set => m_Pitch = Within(value, -k_SteepestPitch, k_SteepestPitch, k_Pitch);
         }
 
         /// <summary>
@@ -150,7 +151,7 @@ namespace Alate.Showcase
                 return;
             }
 
-            float unitsPerPixel = 2f * m_Distance * Mathf.Tan(0.5f * Mathf.Deg2Rad * GetComponent<Camera>().fieldOfView) / Screen.height;
+            float unitsPerPixel = 2f * Distance * Mathf.Tan(0.5f * Mathf.Deg2Rad * GetComponent<Camera>().fieldOfView) / Screen.height;
             m_Target += unitsPerPixel * (moved.y * transform.up - moved.x * transform.right);
             if (now.fingers >= 2 && now.Span > 0f)
                 Distance *= m_Last.Span / now.Span;
@@ -167,9 +168,20 @@ namespace Alate.Showcase
 
         private void LateUpdate()
         {
-            var turned = Quaternion.Euler(m_Pitch, m_Yaw, 0f);
-            transform.SetPositionAndRotation(m_Target - turned * new Vector3(0f, 0f, m_Distance), turned);
-            GetComponent<Camera>().nearClipPlane = Mathf.Min(0.3f, k_NearShare * m_Distance);
+            if (!(m_Target.magnitude <= k_Farthest) || !(Mathf.Abs(m_Yaw) <= k_MostYaw))
+            {
+                if (!m_IsTold)
+                    Debug.LogWarning($"'{name}' stays where it is: a target of {m_Target} and a yaw of {m_Yaw} are no view.", this);
+                m_IsTold = true;
+                return;
+            }
+
+            var turned = Quaternion.Euler(Pitch, m_Yaw, 0f);
+            transform.SetPositionAndRotation(m_Target - turned * new Vector3(0f, 0f, Distance), turned);
+            GetComponent<Camera>().nearClipPlane = Mathf.Min(0.3f, k_NearShare * Distance);
         }
+
+        private static float Within(float value, float least, float most, float none) =>
+            float.IsNaN(value) ? none : Mathf.Clamp(value, least, most);
     }
 }

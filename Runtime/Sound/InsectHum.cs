@@ -19,6 +19,11 @@ namespace Alate.Sound
         /// <summary>Fastest approach that is heard, as a share of the speed of sound: jumps of a camera are no shrieks.</summary>
         private const float k_FastestApproach = 0.2f;
 
+        /// <summary>Seconds between two looks for a listener, where there is none.</summary>
+        private const double k_LookTime = 0.25;
+
+        private const float k_Volume = 0.3f, k_LeastPower = 0.001f, k_FullPower = 20f, k_MostPower = 1000f;
+
         [SerializeField]
         [Tooltip("The insect that is heard. None: the one of this object or of its parents.")]
         private InsectWings m_Insect;
@@ -26,12 +31,12 @@ namespace Alate.Sound
         [SerializeField]
         [Range(0f, 1f)]
         [Tooltip("Level of the sound at Full Power: 0 is silent, 1 as loud as can be.")]
-        private float m_Volume = 0.3f;
+        private float m_Volume = k_Volume;
 
         [SerializeField]
-        [Range(0.001f, 1000f)]
+        [Range(k_LeastPower, k_MostPower)]
         [Tooltip("Power that the wings give to the air, mW, at which the sound has its volume; a quarter of it sounds half as strong.")]
-        private float m_FullPower = 20f;
+        private float m_FullPower = k_FullPower;
 
         private readonly BeatSpectrum m_Beat = new BeatSpectrum();
         private readonly HumVoice m_Voice = new HumVoice();
@@ -40,6 +45,7 @@ namespace Alate.Sound
         private AudioListener m_Listener;
         private int m_SampleRate;
         private float m_Power, m_Distance;
+        private double m_NextLook;
         private bool m_WasHeard, m_LoopedBefore;
         private AudioClip m_ClipBefore;
 
@@ -53,15 +59,15 @@ namespace Alate.Sound
         /// <summary>Level at <see cref="FullPower"/>, 0 to 1 (clamped).</summary>
         public float Volume
         {
-            get => m_Volume;
-            set => m_Volume = Mathf.Clamp01(value);
+            get => Within(m_Volume, 0f, 1f, k_Volume);
+            set => m_Volume = Within(value, 0f, 1f, k_Volume);
         }
 
         /// <summary>Power to the air at which the sound has its volume, mW, 0.001 to 1000 (clamped).</summary>
         public float FullPower
         {
-            get => m_FullPower;
-            set => m_FullPower = Mathf.Clamp(value, 0.001f, 1000f);
+            get => Within(m_FullPower, k_LeastPower, k_MostPower, k_FullPower);
+            set => m_FullPower = Within(value, k_LeastPower, k_MostPower, k_FullPower);
         }
 
         /// <summary>Frequency of the tone as it is heard, hertz: the beat's, times the time scale, and shifted by approach.</summary>
@@ -78,6 +84,7 @@ namespace Alate.Sound
             m_ClipBefore = m_Source.clip;
             m_LoopedBefore = m_Source.loop;
             m_WasHeard = false;
+            m_NextLook = 0.0;
             AudioSettings.OnAudioConfigurationChanged += StartSource;
             StartSource(true);
         }
@@ -113,7 +120,7 @@ namespace Alate.Sound
                 && seconds > 0f;
             if (isHeard)
                 Listen(seconds);
-            Level = isHeard ? m_Volume * Mathf.Sqrt(Mathf.Clamp01(1000f * m_Power / m_FullPower)) : 0f;
+            Level = isHeard ? Volume * Mathf.Sqrt(Mathf.Clamp01(1000f * m_Power / FullPower)) : 0f;
             m_WasHeard = isHeard;
             HumTone tone = m_Voice.Wanted;
             tone.frequency = Frequency;
@@ -140,7 +147,7 @@ namespace Alate.Sound
         private float Approach(float seconds)
         {
             if (m_Listener == null)
-                m_Listener = FindListener();
+                LookForListener();
             if (m_Listener == null)
                 return 1f;
             float distance = Vector3.Distance(m_Listener.transform.position, transform.position);
@@ -149,7 +156,18 @@ namespace Alate.Sound
             return 1f / (1f + m_Source.dopplerLevel * Mathf.Clamp(receding, -k_FastestApproach, k_FastestApproach));
         }
 
-        private static AudioListener FindListener() => FindAnyObjectByType<AudioListener>();
+        // A key writes what it likes: what is no number would stay in the sound for good.
+        private static float Within(float value, float least, float most, float none) =>
+            float.IsNaN(value) ? none : Mathf.Clamp(value, least, most);
+
+        // Not in every frame: it looks through the scene.
+        private void LookForListener()
+        {
+            if (Time.unscaledTimeAsDouble < m_NextLook)
+                return;
+            m_NextLook = Time.unscaledTimeAsDouble + k_LookTime;
+            m_Listener = FindAnyObjectByType<AudioListener>();
+        }
 
         // Called by the engine on the thread of the sound.
         internal void OnAudioFilterRead(float[] data, int channels) => m_Voice.Multiply(data, channels, m_SampleRate);

@@ -51,7 +51,7 @@ namespace Alate.Crowds
         private int m_Seed = 1;
 
         private InsectCrowd m_Crowd;
-        private float m_Time;
+        private float2 m_Turned, m_TurnedMore;
 
         /// <summary>
         /// Size of the box, world units from side to side; negative sizes count as positive ones, a size that is no number as the
@@ -68,7 +68,12 @@ namespace Alate.Crowds
         /// </summary>
         public Vector2 Speeds
         {
-            get => new Vector2(Mathf.Min(m_SlowestSpeed, m_FastestSpeed), Mathf.Max(m_SlowestSpeed, m_FastestSpeed));
+            get
+            {
+                float slowest = NumberRange.Clamp(m_SlowestSpeed, k_LeastSpeed, k_MostSpeed, k_SlowestSpeed);
+                float fastest = NumberRange.Clamp(m_FastestSpeed, k_LeastSpeed, k_MostSpeed, k_FastestSpeed);
+                return new Vector2(Mathf.Min(slowest, fastest), Mathf.Max(slowest, fastest));
+            }
             set
             {
                 m_SlowestSpeed = NumberRange.Clamp(value.x, k_LeastSpeed, k_MostSpeed, k_SlowestSpeed);
@@ -79,7 +84,7 @@ namespace Alate.Crowds
         /// <summary>Largest difference of a size from 1, 0 to 0.9 (clamped); 0.15 is from 0.85 to 1.15.</summary>
         public float SizeVariation
         {
-            get => m_SizeVariation;
+            get => NumberRange.Clamp(m_SizeVariation, k_LeastVariation, k_MostVariation, k_Variation);
             set => m_SizeVariation = NumberRange.Clamp(value, k_LeastVariation, k_MostVariation, k_Variation);
         }
 
@@ -116,27 +121,36 @@ namespace Alate.Crowds
         {
             if (!math.isfinite(seconds))
                 throw new ArgumentOutOfRangeException(nameof(seconds), seconds, "Must be finite, seconds.");
-            m_Time += seconds;
             NativeArray<CrowdPose> poses = Crowd.Poses;
             if (!poses.IsCreated)
                 return;
             int loop = Mathf.Max(0, Crowd.Insect.IndexOf(m_Loop));
             CrowdLoop shown = Crowd.Insect.Loops[loop];
+            Turn(seconds * math.length((float3)shown.velocity));
             var job = new SpawnJob
             {
                 toWorld = float4x4.TRS(transform.position, transform.rotation, 1f),
                 half = 0.5f * (float3)Area,
-                speed = math.length((float3)shown.velocity),
-                speeds = Speeds,
-                sizes = m_SizeVariation,
+                turned = m_Turned,
+                turnedMore = m_TurnedMore,
+                sizes = SizeVariation,
                 loop = loop,
                 attitude = shown.attitude,
                 seed = (uint)m_Seed,
-                time = m_Time,
                 poses = poses,
             };
             job.Validate(poses.Length);
             job.ScheduleParallel(poses.Length, k_Batch, default).Complete();
+        }
+
+        private void Turn(float way)
+        {
+            float widest = 0.5f * Mathf.Min(Area.x, Area.z);
+            float2 turned = widest > 0f ? way / widest * (float2)Speeds : default;
+            if (!math.isfinite(math.csum(turned)))
+                return;
+            m_Turned += turned;
+            m_TurnedMore += SizeVariation * turned;
         }
 
         private void Update() => Advance(Time.deltaTime);

@@ -19,6 +19,8 @@ namespace Alate.Crowds
         /// <summary>An insect that is baked becomes live again at this share of the distance.</summary>
         private const float k_Back = 0.9f;
 
+        private const float k_Distance = 10f;
+
         [SerializeField]
         [Tooltip("Number of the flock, as its pilots have it.")]
         private int m_Group;
@@ -26,7 +28,7 @@ namespace Alate.Crowds
         [SerializeField]
         [Min(0f)]
         [Tooltip("Distance from the camera beyond which insects are drawn baked, world units.")]
-        private float m_Distance = 10f;
+        private float m_Distance = k_Distance;
 
         private readonly List<Member> m_Members = new List<Member>();
         private InsectCrowd m_Crowd;
@@ -41,8 +43,8 @@ namespace Alate.Crowds
         /// <summary>Distance from the camera beyond which insects are drawn baked, world units, 0 or more.</summary>
         public float Distance
         {
-            get => m_Distance;
-            set => m_Distance = Mathf.Max(0f, value);
+            get => NumberRange.Clamp(m_Distance, 0f, OuterBounds.Distance, k_Distance);
+            set => m_Distance = NumberRange.Clamp(value, 0f, OuterBounds.Distance, k_Distance);
         }
 
         /// <summary>Insects of the flock that are drawn baked now.</summary>
@@ -69,7 +71,7 @@ namespace Alate.Crowds
             for (int k = 0; k < m_Members.Count; k++)
             {
                 Member member = m_Members[k];
-                bool baked = poses.IsCreated && eye != null && member.IsFar(eye.transform.position, m_Distance);
+                bool baked = poses.IsCreated && eye != null && member.IsFar(eye.transform.position, Distance);
                 member.Show(!baked);
                 if (baked)
                     poses[BakedCount++] = member.Pose(m_Crowd.Insect);

@@ -8,7 +8,7 @@ using Unity.Mathematics;
 namespace Alate.Crowds
 {
     /// <summary>
-    /// Places insects on circles of their own within a box; index = insect. Where each is depends on seed, insect and time alone.
+    /// Places insects on circles of their own within a box; index = insect. Where each is depends on seed, insect and angles flown alone.
     /// </summary>
     [BurstCompile]
     internal struct SpawnJob : IJobFor
@@ -22,9 +22,11 @@ namespace Alate.Crowds
         /// <summary>Half of the box, world units.</summary>
         public float3 half;
 
-        /// <summary>Speed of the loop, units of the insect's space per second, and slowest and fastest insect over it.</summary>
-        public float speed;
-        public float2 speeds;
+        /// <summary>
+        /// Angles that the slowest and the fastest insect of size 1 have flown on the widest circle, radians; and what an insect has flown
+        /// more that is larger by the largest difference. Added up over time, so that numbers that change move no insect at once.
+        /// </summary>
+        public float2 turned, turnedMore;
 
         /// <summary>Largest difference of a size from 1.</summary>
         public float sizes;
@@ -32,9 +34,6 @@ namespace Alate.Crowds
         public int loop;
         public quaternion attitude;
         public uint seed;
-
-        /// <summary>Seconds.</summary>
-        public float time;
 
         // Output, of which phases are the crowd's.
         public NativeArray<CrowdPose> poses;
@@ -46,11 +45,9 @@ namespace Alate.Crowds
         {
             JobFields.NotNegative(math.cmin(half), "SpawnJob.half");
             JobFields.NotNegative(math.cmax(half), "SpawnJob.half");
-            JobFields.NotNegative(speed, "SpawnJob.speed");
-            JobFields.Finite(speeds.x, "SpawnJob.speeds");
-            JobFields.Finite(speeds.y, "SpawnJob.speeds");
+            JobFields.Finite(math.csum(turned), "SpawnJob.turned");
+            JobFields.Finite(math.csum(turnedMore), "SpawnJob.turnedMore");
             JobFields.Finite(sizes, "SpawnJob.sizes");
-            JobFields.Finite(time, "SpawnJob.time");
             JobFields.InRange(loop, 0, int.MaxValue, "SpawnJob.loop");
             JobFields.AtLeast(poses.Length, count, "SpawnJob.poses");
         }
@@ -59,10 +56,10 @@ namespace Alate.Crowds
         {
             var random = Random.CreateFromIndex((uint)index * 0x9E3779B9u ^ seed * 0x85EBCA6Bu);
             float3 spread = random.NextFloat3(), other = random.NextFloat3();
-            float size = 1f + sizes * (2f * other.x - 1f), fast = math.lerp(speeds.x, speeds.y, other.y), side = other.z < 0.5f ? -1f : 1f;
-            float widest = math.cmin(half.xz), circle = widest * math.lerp(k_LeastCircle, 1f, math.sqrt(spread.x) * spread.y);
-            float2 middle = (half.xz - circle) * (2f * random.NextFloat2() - 1f);
-            float angle = 2f * math.PI * spread.z + (circle > 0f ? side * size * speed * fast / circle * time : 0f);
+            float larger = 2f * other.x - 1f, size = 1f + sizes * larger, side = other.z < 0.5f ? -1f : 1f;
+            float share = math.lerp(k_LeastCircle, 1f, math.sqrt(spread.x) * spread.y), circle = math.cmin(half.xz) * share;
+            float2 middle = (half.xz - circle) * (2f * random.NextFloat2() - 1f), flown = turned + larger * turnedMore;
+            float angle = 2f * math.PI * spread.z + side * math.lerp(flown.x, flown.y, other.y) / share;
             Elementary.SinCos(angle, out float sine, out float cosine);
             var place = new float3(middle.x + circle * cosine, half.y * (2f * random.NextFloat() - 1f), middle.y + circle * sine);
             var ahead = quaternion.LookRotation(new float3(-side * sine, 0f, side * cosine), new float3(0f, 1f, 0f));

@@ -139,15 +139,15 @@ namespace Alate
         /// <summary>Factor on the amplitudes, 0 to 2 (clamped).</summary>
         public float AmplitudeScale
         {
-            get => m_AmplitudeScale;
-            set => m_AmplitudeScale = Mathf.Clamp(value, 0f, MostAmplitude);
+            get => NumberRange.Clamp(m_AmplitudeScale, 0f, MostAmplitude, 1f);
+            set => m_AmplitudeScale = NumberRange.Clamp(value, 0f, MostAmplitude, 1f);
         }
 
         /// <summary>Lead of the wing before the insect's beat, degrees, −180 to 180 (clamped).</summary>
         public float PhaseLead
         {
-            get => m_PhaseLead;
-            set => m_PhaseLead = Mathf.Clamp(value, -k_MostLead, k_MostLead);
+            get => NumberRange.Clamp(m_PhaseLead, -k_MostLead, k_MostLead, 0f);
+            set => m_PhaseLead = NumberRange.Clamp(value, -k_MostLead, k_MostLead, 0f);
         }
 
         /// <summary>Sets the defaults of an entry whose fields are all zero.</summary>

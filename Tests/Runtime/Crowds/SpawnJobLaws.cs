@@ -132,8 +132,8 @@ namespace Alate.Tests.Crowds
             job.half.y = -1f;
             Assert.That(() => job.Validate(3), Throws.ArgumentException.With.Message.StartsWith("SpawnJob.half is -1"));
             job.half.y = 1f;
-            job.time = float.PositiveInfinity;
-            Assert.That(() => job.Validate(3), Throws.ArgumentException.With.Message.StartsWith("SpawnJob.time is"));
+            job.turned.x = float.PositiveInfinity;
+            Assert.That(() => job.Validate(3), Throws.ArgumentException.With.Message.StartsWith("SpawnJob.turned is"));
         }
 
         private delegate void Edit(ref SpawnJob job);
@@ -145,9 +145,9 @@ namespace Alate.Tests.Crowds
             foreach ((string name, Edit edit) in new (string, Edit)[]
             {
                 ("half", (ref SpawnJob job) => job.half.x = float.PositiveInfinity), ("half", (ref SpawnJob job) => job.half.z = -2f),
-                ("speed", (ref SpawnJob job) => job.speed = -1f), ("speed", (ref SpawnJob job) => job.speed = float.NaN),
-                ("speeds", (ref SpawnJob job) => job.speeds.x = float.NaN),
-                ("speeds", (ref SpawnJob job) => job.speeds.y = float.PositiveInfinity),
+                ("turned", (ref SpawnJob job) => job.turned.x = float.NaN),
+                ("turned", (ref SpawnJob job) => job.turned.y = float.PositiveInfinity),
+                ("turnedMore", (ref SpawnJob job) => job.turnedMore.y = float.NaN),
                 ("sizes", (ref SpawnJob job) => job.sizes = float.NaN), ("loop", (ref SpawnJob job) => job.loop = -1),
             })
             {
@@ -173,13 +173,12 @@ namespace Alate.Tests.Crowds
         {
             toWorld = float4x4.TRS(new float3(3f, 2f, 1f), Turn(), 1f),
             half = new float3(10f, 2f, 5f),
-            speed = 3f,
-            speeds = new float2(0.5f, 2f),
+            turned = time * 3f / 5f * new float2(0.5f, 2f),
+            turnedMore = 0.3f * time * 3f / 5f * new float2(0.5f, 2f),
             sizes = 0.3f,
             loop = 2,
             attitude = Attitude(),
             seed = 7u,
-            time = time,
         };
 
         private static quaternion Turn() => quaternion.RotateY(0.5f);

@@ -94,7 +94,7 @@ namespace Alate.Flight
         /// <summary>Most, m/s of the insect, 0.05 to 5 (clamped).</summary>
         public float Speed
         {
-            get => m_Speed;
+            get => NumberRange.Clamp(m_Speed, LeastSpeed, MostSpeed, k_Speed);
             set => m_Speed = NumberRange.Clamp(value, LeastSpeed, MostSpeed, k_Speed);
         }
 
@@ -156,7 +156,7 @@ namespace Alate.Flight
             if (points.Count == 0)
                 return Stay(situation, out goal);
             m_HasHome = false;
-            float3 wanted = m_Path.Along(situation, points, m_Loop, m_Speed);
+            float3 wanted = m_Path.Along(situation, points, m_Loop, Speed);
             goal = points[m_Path.Next];
             return wanted;
         }
@@ -180,7 +180,7 @@ namespace Alate.Flight
                 : default;
             m_Seen = goal;
             m_HasSeen = true;
-            return PathFollower.Towards(situation, goal, m_TargetVelocity, m_Speed);
+            return PathFollower.Towards(situation, goal, m_TargetVelocity, Speed);
         }
 
         private float3 Stay(in FlightSituation situation, out float3 goal)
@@ -189,7 +189,7 @@ namespace Alate.Flight
                 m_Home = situation.position;
             m_HasHome = true;
             goal = m_Home;
-            return PathFollower.Towards(situation, m_Home, default, m_Speed);
+            return PathFollower.Towards(situation, m_Home, default, Speed);
         }
 
         private bool IsWithinWall(float3 goal)

@@ -33,6 +33,7 @@ namespace Alate.Flight
         private WingRest m_Rest;
         private InsectWings m_Wings;
         private float m_SinceLook;
+        private int m_PlanSeed;
         private float3 m_Threat = float.NaN;
 
         /// <summary>Settings of when the insect lands and what it does there.</summary>
@@ -54,7 +55,19 @@ namespace Alate.Flight
         /// <summary>Share to which the wings are folded, 0 to 1.</summary>
         public float Fold => m_Rest.Fold;
 
-        private PerchPlan Plan => m_Plan ??= new PerchPlan(m_Seed != 0 ? m_Seed : GetHashCode());
+        private PerchPlan Plan
+        {
+            get
+            {
+                int seed = m_Seed != 0 ? m_Seed : GetHashCode();
+                if (m_Plan == null)
+                    m_Plan = new PerchPlan(seed);
+                else if (m_PlanSeed != seed)
+                    m_Plan.Draw(seed);
+                m_PlanSeed = seed;
+                return m_Plan;
+            }
+        }
 
         /// <summary>Goes for a spot now. A spot that is not finite is refused with a warning.</summary>
         /// <returns>Whether the insect goes there.</returns>
@@ -76,7 +89,7 @@ namespace Alate.Flight
         }
 
         /// <summary>Takes off, or gives up landing.</summary>
-        public void TakeOff() => Plan.TakeOff(m_Settings.Clamped());
+        public void TakeOff() => Plan.TakeOff();
 
         /// <inheritdoc/>
         public override FlightCommand Command(in FlightSituation situation)

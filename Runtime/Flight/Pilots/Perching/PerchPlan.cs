@@ -23,12 +23,14 @@ namespace Alate.Flight
         private const int k_Attempts = 3;
 
         private Random m_Random;
-        private float m_Left;
+
+        // Seconds of the stage that have passed, and its length: a share of a mean that may change meanwhile.
+        private float m_Passed, m_Share;
         private float3 m_Away;
         private bool m_Begun;
 
         /// <param name="seed">Any number: lengths of stays and flights.</param>
-        public PerchPlan(int seed) => m_Random = Random.CreateFromIndex((uint)(seed & int.MaxValue));
+        public PerchPlan(int seed) => Draw(seed);
 
         /// <summary>Stage of the insect.</summary>
         public PerchStage Stage { get; private set; }
@@ -38,6 +40,9 @@ namespace Alate.Flight
 
         /// <summary>True where the insect flies and it is time to look for a spot.</summary>
         public bool WantsSpot { get; private set; }
+
+        /// <summary>Draws what comes with another seed; what is under way goes on.</summary>
+        internal void Draw(int seed) => m_Random = Random.CreateFromIndex((uint)(seed & int.MaxValue));
 
         /// <summary>Goes for a spot.</summary>
         /// <param name="spot">Where.</param>
@@ -55,16 +60,16 @@ namespace Alate.Flight
         {
             Land(spot, 0f);
             Stage = PerchStage.Perched;
-            m_Left = float.PositiveInfinity;
+            Begin(float.PositiveInfinity);
         }
 
         /// <summary>Leaves the spot with the next step, or gives up landing.</summary>
-        public void TakeOff(in PerchSettings settings)
+        public void TakeOff()
         {
             if (Stage == PerchStage.Perched)
-                m_Left = 0f;
+                Begin(0f);
             else if (Stage != PerchStage.TakingOff)
-                FlyOn(settings);
+                FlyOn();
         }
 
         /// <summary>Command for the next step.</summary>
@@ -75,28 +80,28 @@ namespace Alate.Flight
         public FlightCommand Next(in FlightSituation situation, in PerchSettings settings, float3 threat, in FlightCommand between)
         {
             if (!m_Begun)
-                FlyOn(settings);
+                FlyOn();
             m_Begun = true;
             bool isThreatened = math.all(math.isfinite(threat));
             switch (Stage)
             {
                 case PerchStage.Approaching:
                 case PerchStage.Flaring:
-                    return isThreatened || Landing.Attempts >= k_Attempts ? GiveUp(settings, between) : Descend(situation, settings);
+                    return isThreatened || Landing.Attempts >= k_Attempts ? GiveUp(between) : Descend(situation, settings);
                 case PerchStage.Perched:
                     return Sit(situation, settings, threat, isThreatened);
                 case PerchStage.TakingOff:
-                    return Leave(situation, settings);
+                    return Leave(situation);
                 default:
-                    m_Left -= situation.deltaTime;
-                    WantsSpot = m_Left <= 0f && !isThreatened;
+                    m_Passed += situation.deltaTime;
+                    WantsSpot = m_Passed >= m_Share * settings.flightTime && !isThreatened;
                     return between;
             }
         }
 
-        private FlightCommand GiveUp(in PerchSettings settings, in FlightCommand between)
+        private FlightCommand GiveUp(in FlightCommand between)
         {
-            FlyOn(settings);
+            FlyOn();
             return between;
         }
 
@@ -107,7 +112,7 @@ namespace Alate.Flight
             if (command.wish == FlightWish.Perch)
             {
                 Stage = PerchStage.Perched;
-                m_Left = settings.stayTime * m_Random.NextFloat(0.5f, 1.5f);
+                Begin(m_Random.NextFloat(0.5f, 1.5f));
             }
 
             return command;
@@ -117,8 +122,8 @@ namespace Alate.Flight
         {
             // On its last way down it does not sit yet.
             if (situation.state != FlightState.Landing)
-                m_Left -= situation.deltaTime;
-            if (m_Left > 0f && !isThreatened)
+                m_Passed += situation.deltaTime;
+            if (m_Passed < m_Share * settings.stayTime && !isThreatened)
                 return new FlightCommand { wish = FlightWish.Perch, spot = Landing.Spot, heading = Landing.Spot.heading };
             var ahead = new float3(Elementary.Sin(situation.heading), 0f, Elementary.Cos(situation.heading));
             float3 downhill = Landing.Spot.normal * new float3(1f, 0f, 1f);
@@ -134,24 +139,31 @@ namespace Alate.Flight
             away += k_Downhill * math.length(downhill) * down;
             m_Away = math.normalizesafe(away, ahead);
             Stage = PerchStage.TakingOff;
-            m_Left = k_TakeOffTime;
-            return Leave(situation, settings);
+            m_Passed = 0f;
+            return Leave(situation);
         }
 
-        private FlightCommand Leave(in FlightSituation situation, in PerchSettings settings)
+        private FlightCommand Leave(in FlightSituation situation)
         {
-            m_Left -= situation.deltaTime;
-            if (m_Left <= 0f || math.distance(situation.position, Landing.Spot.position) > k_TakeOffWay * situation.unitsPerMetre)
-                FlyOn(settings);
+            m_Passed += situation.deltaTime;
+            bool isFar = math.distance(situation.position, Landing.Spot.position) > k_TakeOffWay * situation.unitsPerMetre;
+            if (m_Passed >= k_TakeOffTime || isFar)
+                FlyOn();
             float3 velocity = math.min(k_TakeOffSpeed, situation.limits.TopSpeed) * m_Away + new float3(0f, situation.limits.MostClimb, 0f);
             return NoseFirst.Limit(FlightCommand.Fly(velocity), situation);
         }
 
-        private void FlyOn(in PerchSettings settings)
+        private void FlyOn()
         {
             Stage = PerchStage.Between;
             WantsSpot = false;
-            m_Left = settings.flightTime * m_Random.NextFloat(0.5f, 1.5f);
+            Begin(m_Random.NextFloat(0.5f, 1.5f));
+        }
+
+        private void Begin(float share)
+        {
+            m_Passed = 0f;
+            m_Share = share;
         }
     }
 }

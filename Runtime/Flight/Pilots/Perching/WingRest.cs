@@ -8,7 +8,7 @@ namespace Alate.Flight
     /// </summary>
     public struct WingRest
     {
-        private float m_Time;
+        private float m_Time, m_Turns;
 
         /// <summary>Share of the folded posture, 0 (spread) to 1 (folded).</summary>
         public float Fold { get; private set; }
@@ -30,8 +30,9 @@ namespace Alate.Flight
             float wanted = 1f;
             if (since > 0f && settings.bask > 0f)
             {
-                float turns = since * settings.fanRate / 60f;
-                wanted = 1f - settings.bask * (settings.fanRate > 0f ? 0.5f - 0.5f * Elementary.Cos(2f * math.PI * turns) : 1f);
+                // Added up, so that a rate that changes shifts nothing.
+                m_Turns = math.frac(m_Turns + math.min(dt, since) * settings.fanRate / 60f);
+                wanted = 1f - settings.bask * (settings.fanRate > 0f ? 0.5f - 0.5f * Elementary.Cos(2f * math.PI * m_Turns) : 1f);
             }
 
             float most = dt / settings.foldTime;

@@ -33,6 +33,7 @@ namespace Alate.Flight
         private ObstacleSettings m_Obstacles = ObstacleSettings.Default;
 
         private ErraticCourse m_Course;
+        private int m_CourseSeed;
         private Vector3 m_Start;
         private bool m_HasStarted;
 
@@ -72,11 +73,7 @@ namespace Alate.Flight
         public int Seed
         {
             get => m_Seed;
-            set
-            {
-                m_Seed = value;
-                m_Course = null;
-            }
+            set => m_Seed = value;
         }
 
         /// <summary>The volume in the world.</summary>
@@ -109,7 +106,9 @@ namespace Alate.Flight
             if (!m_HasStarted)
                 m_Start = situation.position;
             m_HasStarted = true;
-            m_Course ??= new ErraticCourse(m_Seed != 0 ? m_Seed : GetHashCode());
+            if (m_Course == null || m_CourseSeed != m_Seed)
+                m_Course = new ErraticCourse(m_Seed != 0 ? m_Seed : GetHashCode());
+            m_CourseSeed = m_Seed;
             float3 wanted = m_Course.Next(situation, WorldVolume, m_Settings);
             return NoseFirst.Limit(FlightCommand.Fly(Avoid(wanted, situation, m_Obstacles)), situation);
         }

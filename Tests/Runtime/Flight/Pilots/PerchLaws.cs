@@ -63,6 +63,55 @@ namespace Alate.Tests.Flight
             Check(times, 4f);
         }
 
+        // A time that is changed while it runs counts from where it began.
+        [TestCase(100f, 2f)]
+        [TestCase(2f, 100f)]
+        public void Times_ThatChangeMeanwhile_Count(float before, float after)
+        {
+            var plan = new PerchPlan(3);
+            PerchSettings settings = PerchSettings.Default;
+            settings.flightTime = settings.stayTime = before;
+            for (int step = 0; step < 40; step++)
+                plan.Next(Situation(), settings, float.NaN, default);
+            Assert.That(plan.WantsSpot, Is.False);
+            settings.flightTime = settings.stayTime = after;
+            for (int step = 0; step < 120; step++)
+                plan.Next(Situation(), settings, float.NaN, default);
+            Assert.That(plan.WantsSpot, Is.EqualTo(after < 10f));
+
+            settings.stayTime = before;
+            FlightSituation situation = Sitting(plan, settings);
+            situation.state = FlightState.Perched;
+            for (int step = 0; step < 40; step++)
+                plan.Next(situation, settings, float.NaN, default);
+            Assert.That(plan.Stage, Is.EqualTo(PerchStage.Perched));
+            settings.stayTime = after;
+            int left = 0;
+            for (int step = 0; step < 120; step++)
+            {
+                plan.Next(situation, settings, float.NaN, default);
+                left += plan.Stage == PerchStage.Perched ? 0 : 1;
+            }
+
+            Assert.That(left > 0, Is.EqualTo(after < 10f));
+        }
+
+        // What has been fanned stays: a rate that doubles in the fold's second half is no jump.
+        [Test]
+        public void ARateThatChanges_MovesNoWingAtOnce()
+        {
+            PerchSettings settings = PerchSettings.Default;
+            var rest = new WingRest();
+            for (int step = 0; step < 3000; step++)
+                rest.Step(0.02f, true, settings);
+            float fold = rest.Fold;
+            settings.fanRate *= 1.02f;
+            for (int step = 0; step < 10; step++)
+                rest.Step(0.02f, true, settings);
+            float most = 0.2f * settings.bask * math.PI * settings.fanRate / 60f;
+            Assert.That(math.abs(rest.Fold - fold), Is.LessThan(1.01f * most));
+        }
+
         // Ahead, and as far again by 0.7 away from what comes near; along a slope and down it, never into it.
         [TestCase(0f, float.NaN, 0f)]
         [TestCase(0f, 90f, -35f)]
@@ -80,7 +129,7 @@ namespace Alate.Tests.Flight
                 position = situation.position,
                 normal = new float3(0f, math.cos(math.radians(slope)), 0f) + math.sin(math.radians(slope)) * Along(0.5f)
             });
-            plan.TakeOff(PerchSettings.Default);
+            plan.TakeOff();
             float3 threat = float.IsNaN(threatFrom) ? float.NaN : situation.position + 2f * Along(0.5f + math.radians(threatFrom));
             float3 velocity = plan.Next(situation, PerchSettings.Default, threat, default).velocity;
             Assert.That(plan.Stage, Is.EqualTo(PerchStage.TakingOff));
@@ -97,7 +146,7 @@ namespace Alate.Tests.Flight
             situation.heading = 0f;
             situation.referenceVelocity = 0.7f * Along(0.5f * math.PI + 0.5f);
             plan.Sit(new PerchSpot { position = situation.position, normal = math.normalize(new float3(0.2f, 1f, -0.7f)) });
-            plan.TakeOff(PerchSettings.Default);
+            plan.TakeOff();
             float3 velocity = plan.Next(situation, PerchSettings.Default, float.NaN, default).velocity;
             Assert.That(math.dot(velocity.xz, new float2(0.2f, -0.7f)), Is.GreaterThan(0f));
             Assert.That(velocity.x, Is.GreaterThan(0f), "to the side that it looks to");
@@ -114,7 +163,7 @@ namespace Alate.Tests.Flight
             float down = 1.2f * math.sin(slope), course = math.atan2(-1f, -down);
             situation.referenceVelocity = 0.7f * Along(course);
             plan.Sit(new PerchSpot { position = situation.position, normal = new float3(0f, math.cos(slope), -math.sin(slope)) });
-            plan.TakeOff(PerchSettings.Default);
+            plan.TakeOff();
             float3 velocity = plan.Next(situation, PerchSettings.Default, float.NaN, default).velocity;
             Assert.That(Headings.Wrap(math.atan2(velocity.x, velocity.z) - course), Is.Zero.Within(1e-3f));
         }
@@ -127,7 +176,7 @@ namespace Alate.Tests.Flight
             FlightSituation situation = Situation();
             situation.unitsPerMetre = 10f;
             plan.Sit(new PerchSpot { position = situation.position, normal = new float3(0f, 1f, 0f) });
-            plan.TakeOff(PerchSettings.Default);
+            plan.TakeOff();
             plan.Next(situation, PerchSettings.Default, float.NaN, default);
             situation.position += 10f * way * Along(1f);
             plan.Next(situation, PerchSettings.Default, float.NaN, default);
@@ -140,7 +189,7 @@ namespace Alate.Tests.Flight
             var plan = new PerchPlan(1);
             FlightSituation situation = Situation();
             plan.Sit(new PerchSpot { position = situation.position, normal = new float3(0f, 1f, 0f) });
-            plan.TakeOff(PerchSettings.Default);
+            plan.TakeOff();
             int steps = 0;
             do
             {
@@ -157,7 +206,7 @@ namespace Alate.Tests.Flight
             var plan = new PerchPlan(1);
             plan.Land(new PerchSpot { normal = new float3(0f, 1f, 0f) }, k_Stand);
             Assert.That(plan.Stage, Is.EqualTo(PerchStage.Approaching));
-            plan.TakeOff(PerchSettings.Default);
+            plan.TakeOff();
             Assert.That(plan.Stage, Is.EqualTo(PerchStage.Between));
             Assert.That(plan.WantsSpot, Is.False);
             plan.Land(new PerchSpot { normal = new float3(0f, 1f, 0f) }, k_Stand);

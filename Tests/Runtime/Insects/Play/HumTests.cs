@@ -4,6 +4,8 @@ using Alate.Sound;
 using NUnit.Framework;
 using UnityEngine;
 using UnityEngine.TestTools;
+using UnityEngine.TestTools.Constraints;
+using Is = UnityEngine.TestTools.Constraints.Is;
 
 namespace Alate.Tests.Play
 {
@@ -113,6 +115,25 @@ namespace Alate.Tests.Play
             ear.transform.position += 50000f * Vector3.forward;
             yield return null;
             Assert.That(hum.Frequency / insect.Frequency, Is.InRange(0.8f, 1f));
+        }
+
+        [UnityTest]
+        public IEnumerator AFrame_AndABufferOfSound_AllocateNothing([Values] bool hasEar, [Values(1, 2)] int channels)
+        {
+            InsectHum hum = AddHum(Insect());
+            if (hasEar)
+                Keep(new GameObject("ear", typeof(AudioListener)));
+            float[] buffer = new float[1024 * channels];
+            var endFrame = (Action)Delegate.CreateDelegate(typeof(Action), hum, "LateUpdate");
+            for (int frame = 0; frame < 20; frame++)
+            {
+                hum.OnAudioFilterRead(buffer, channels);
+                yield return null;
+            }
+
+            Assert.That(hum.Level, Is.GreaterThan(0f));
+            Assert.That(() => { endFrame(); }, Is.Not.AllocatingGCMemory());
+            Assert.That(() => { hum.OnAudioFilterRead(buffer, channels); }, Is.Not.AllocatingGCMemory());
         }
 
         [Test]
