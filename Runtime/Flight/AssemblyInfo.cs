@@ -3,6 +3,7 @@ using System.Runtime.CompilerServices;
 [assembly: InternalsVisibleTo("Alate.Catalogue")]
 [assembly: InternalsVisibleTo("Alate.Crowds")]
 [assembly: InternalsVisibleTo("Alate.Editor")]
+[assembly: InternalsVisibleTo("Alate.Proof")]
 [assembly: InternalsVisibleTo("Alate.Tests")]
 [assembly: InternalsVisibleTo("Alate.Editor.Tests")]
 [assembly: InternalsVisibleTo("Alate.Headless.Tests")]

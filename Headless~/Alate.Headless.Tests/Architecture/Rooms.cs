@@ -36,6 +36,7 @@ namespace Alate.Tests.Architecture
             ["Alate.Authoring"] = ["Alate.Fitting", "Alate.Geometry", "Alate.Model"],
             ["Alate.Editor"] = ["Alate", "Alate.Authoring", "Alate.Catalogue", "Alate.Crowds", "Alate.Fitting", "Alate.Flight",
                 "Alate.Geometry", "Alate.Model"],
+            ["Alate.Proof"] = ["Alate", "Alate.Catalogue", "Alate.Crowds", "Alate.Flight", "Alate.Model", "Alate.Showcase"],
         };
 
         /// <summary>Folders of the sources of each assembly.</summary>
@@ -51,6 +52,7 @@ namespace Alate.Tests.Architecture
             ["Alate.Sound"] = "Runtime/Sound",
             ["Alate.Showcase"] = "Runtime/Showcase",
             ["Alate.Authoring"] = "Editor/Authoring",
+            ["Alate.Proof"] = "Editor/Proof",
             ["Alate.Editor"] = "Editor",
             ["Alate.Formats"] = "Headless~/Alate.Formats",
             ["Alate.Drawing"] = "Headless~/Alate.Drawing",
@@ -181,6 +183,14 @@ namespace Alate.Tests.Architecture
                     ["States"] = ["Fixes"],
                     ["Insects"] = ["Fixes", "Gizmos", "Live", "Presets", "Skeletons", "States"],
                 },
+                ["Alate.Proof"] = new Dictionary<string, string[]>
+                {
+                    ["Report"] = [],
+                    ["Golden"] = ["Report"],
+                    ["Steps"] = ["Golden", "Report"],
+                    ["Campaign"] = ["Golden", "Report", "Steps"],
+                    ["Proof"] = ["Campaign", "Steps"],
+                },
                 ["Alate.Editor/Skeletons"] = new Dictionary<string, string[]>
                 {
                     ["Editing"] = [],
@@ -213,7 +223,7 @@ namespace Alate.Tests.Architecture
             foreach (string file in Directory.GetFiles(folder, "*.cs", SearchOption.AllDirectories))
             {
                 string place = Path.GetRelativePath(root, file).Replace('\\', '/');
-                if (assembly == "Alate.Editor" && place.StartsWith(Folders["Alate.Authoring"] + "/"))
+                if (Folders.Values.Any(inner => inner.StartsWith(Folders[assembly] + "/") && place.StartsWith(inner + "/")))
                     continue;
                 string text = File.ReadAllText(file);
                 foreach (Match declared in (s_WholeFile.IsMatch(text) ? s_Plain : s_Declaration).Matches(text))

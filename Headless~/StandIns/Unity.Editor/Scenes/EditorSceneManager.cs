@@ -6,6 +6,7 @@ public sealed class EditorSceneManager : SceneManager
 {
     public static bool MarkSceneDirty(Scene scene) => throw Absent.Editor;
     public static void MarkAllScenesDirty() => throw Absent.Editor;
+    public static Scene OpenScene(string scenePath) => throw Absent.Editor;
     public static bool SaveScene(Scene scene) => throw Absent.Editor;
     public static bool SaveScene(Scene scene, string dstScenePath) => throw Absent.Editor;
     public static bool SaveScene(Scene scene, string dstScenePath, bool saveAsCopy) => throw Absent.Editor;

@@ -1,5 +1,6 @@
 using System;
 using System.Diagnostics;
+using StandIns;
 
 namespace UnityEditor;
 
@@ -35,8 +36,11 @@ public sealed class EditorApplication
     public static bool isPlayingOrWillChangePlaymode { get; }
     public static bool isCompiling { get; }
     public static bool isUpdating { get; }
+    public static string applicationPath => RunningEditor.Path;
+    public static string applicationContentsPath => RunningEditor.Contents;
     public static double timeSinceStartup => s_Watch.Elapsed.TotalSeconds;
 
+    public static void Exit(int returnValue) => RunningEditor.ExitCode = returnValue;
     public static void QueuePlayerLoopUpdate() => throw Absent.Editor;
     public static bool ExecuteMenuItem(string menuItemPath) => throw Absent.Editor;
     public static void EnterPlaymode() => throw Absent.Editor;

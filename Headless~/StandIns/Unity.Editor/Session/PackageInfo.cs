@@ -10,6 +10,8 @@ public sealed class PackageInfo
 
     public string version { get; internal init; }
 
+    public string resolvedPath { get; internal init; }
+
     /// <summary>Null, as in Unity for an assembly that comes in no package.</summary>
     public static PackageInfo FindForAssembly(Assembly assembly) => null;
 }

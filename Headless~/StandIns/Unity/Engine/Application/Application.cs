@@ -23,6 +23,13 @@ public class Application
         System.IO.Path.Combine(System.IO.Path.GetTempPath(), $"alate-player-{Environment.ProcessId}");
     public static string unityVersion => "2022.3.0f1";
 
+    public static string dataPath => System.IO.Path.Combine(Environment.CurrentDirectory, "Assets");
+
+    /// <summary>Does nothing: a test ends its player.</summary>
+    public static void Quit()
+    {
+    }
+
     /// <summary>Returns true where an object is part of the playing world.</summary>
     public static bool IsPlaying(Object obj) => isPlaying && obj != null;
 

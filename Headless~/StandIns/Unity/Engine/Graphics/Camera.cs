@@ -47,6 +47,7 @@ public sealed class Camera : Behaviour, IStateful
     public CameraType cameraType { get; set; } = CameraType.Game;
     public CameraClearFlags clearFlags { get; set; } = CameraClearFlags.Skybox;
     public Color backgroundColor { get; set; } = new(0.19f, 0.3f, 0.47f, 0f);
+    public RenderTexture targetTexture { get; set; }
     public int pixelWidth => Screen.width;
     public int pixelHeight => Screen.height;
 
@@ -86,6 +87,11 @@ public sealed class Camera : Behaviour, IStateful
         }
 
         return count;
+    }
+
+    /// <summary>Draws nothing.</summary>
+    public void Render()
+    {
     }
 
     public void ResetCullingMatrix() => _cullingMatrix = null;

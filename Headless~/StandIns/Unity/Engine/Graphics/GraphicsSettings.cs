@@ -4,4 +4,5 @@ namespace UnityEngine.Rendering;
 public sealed class GraphicsSettings : Object
 {
     public static RenderPipelineAsset currentRenderPipeline => null;
+    public static RenderPipelineAsset defaultRenderPipeline { get; set; }
 }

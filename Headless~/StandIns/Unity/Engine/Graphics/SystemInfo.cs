@@ -6,6 +6,9 @@ namespace UnityEngine;
 public sealed class SystemInfo
 {
     public static GraphicsDeviceType graphicsDeviceType => GraphicsDeviceType.Null;
+    public static string graphicsDeviceName => "no graphics device";
+    public static string operatingSystem => System.Runtime.InteropServices.RuntimeInformation.OSDescription;
+    public static string processorType => System.Runtime.InteropServices.RuntimeInformation.ProcessArchitecture.ToString();
     public static int maxConstantBufferSize => 65536;
     public static bool supportsInstancing => !Unity.StandIns.PlainDevice.IsInUse;
 

@@ -73,6 +73,13 @@ public sealed class Texture2D : Texture
             _pixels[k] = colors[k];
     }
 
+    /// <summary>Takes the place of what a picture shows, which here is nothing: black.</summary>
+    public void ReadPixels(Rect source, int destX, int destY)
+    {
+        CheckReadable();
+        Array.Fill(_pixels, Color.black);
+    }
+
     public void Apply() => CheckReadable();
 
     public void Apply(bool updateMipmaps) => CheckReadable();

@@ -10,6 +10,9 @@ public class ScriptableObject : Object
 
     public static T CreateInstance<T>() where T : ScriptableObject => (T)CreateInstance(typeof(T));
 
+    /// <summary>Null, as in Unity for a name that no class has: only pipelines are made by their names.</summary>
+    public static ScriptableObject CreateInstance(string className) => null;
+
     public static ScriptableObject CreateInstance(Type type)
     {
         if (!typeof(ScriptableObject).IsAssignableFrom(type) || type.IsAbstract)

@@ -16,6 +16,9 @@ public static class JobsUtility
 
     public static int JobWorkerMaximumCount => JobWorkers.Maximum;
 
+    /// <summary>Kept, and without effect: the safety checks are those of the configuration.</summary>
+    public static bool JobDebuggerEnabled { get; set; } = true;
+
     public static int ThreadIndex => JobContext.ThreadIndex;
 
     /// <summary>One more than the largest ThreadIndex.</summary>

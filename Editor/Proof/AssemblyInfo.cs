@@ -1,0 +1,5 @@
+using System.Runtime.CompilerServices;
+
+[assembly: InternalsVisibleTo("Alate.Tests")]
+[assembly: InternalsVisibleTo("Alate.Editor.Tests")]
+[assembly: InternalsVisibleTo("Alate.Headless.Tests")]

@@ -1,0 +1,99 @@
+using System.Collections.Generic;
+using System.IO;
+using System.Linq;
+using Alate.Proof;
+using NUnit.Framework;
+
+namespace Alate.Editor.Tests
+{
+    /// <summary>Golden tracks: what is told of one that differs, and their file.</summary>
+    public sealed class GoldenComparisonTests
+    {
+        private const float k_Allowed = 0.01f;
+
+        private static readonly string[] s_Things = { "root", "middle", "tip" };
+
+        [Test]
+        public void EqualTracks_AreHeldToTheLastBit()
+        {
+            List<ProofLine> lines = GoldenComparison.Lines(Tracks(), Tracks());
+            Assert.That(lines.Select(line => line.state), Is.All.EqualTo(ProofState.Held));
+            Assert.That(lines.Select(line => line.measured), Is.All.EqualTo("equal to the last bit"));
+        }
+
+        [TestCase(0.005f, 1)]
+        [TestCase(0.02f, 2)]
+        [TestCase(float.NaN, 2)]
+        [TestCase(float.PositiveInfinity, 2)]
+        public void AJointThatIsElsewhere_TurnsItsOwnLine(float by, int state)
+        {
+            List<GoldenTrack> computed = Tracks();
+
+            // The second track, third of four samples, the middle, across.
+            computed[1].Values[3 * (2 * s_Things.Length + 1) + 1] += by;
+            List<ProofLine> lines = GoldenComparison.Lines(Tracks(), computed);
+
+            Assert.That(lines.Select(line => (int)line.state), Is.EqualTo(new[] { 1, state, 1 }));
+            Assert.That(lines[1].note, Does.StartWith("worst: middle, 75 % of the time"));
+            Assert.That(lines[1].note.EndsWith("; 1 of 3 beyond"), Is.EqualTo(state == 2));
+        }
+
+        [Test]
+        public void ADistance_IsThatInSpace()
+        {
+            List<GoldenTrack> computed = Tracks();
+            computed[0].Values[0] += 0.003f;
+            computed[0].Values[1] -= 0.004f;
+            string measured = GoldenComparison.Lines(Tracks(), computed)[0].measured;
+            Assert.That(float.Parse(measured, System.Globalization.CultureInfo.InvariantCulture), Is.EqualTo(0.005f).Within(1e-5f));
+        }
+
+        [Test]
+        public void ATrackThatIsMissing_OrOfAnotherLength_Differs()
+        {
+            List<GoldenTrack> computed = Tracks();
+            computed.RemoveAt(0);
+            computed[1] = new GoldenTrack(computed[1].Name, s_Things, k_Allowed, new float[9]);
+            List<ProofLine> lines = GoldenComparison.Lines(Tracks(), computed);
+            Assert.That(lines.Select(line => (int)line.state), Is.EqualTo(new[] { 2, 1, 2 }));
+            Assert.That(lines[0].measured, Is.EqualTo("no such track"));
+            Assert.That(lines[2].measured, Is.EqualTo("1 samples of 3 things"));
+        }
+
+        [Test]
+        public void AFile_GivesBackWhatWasWritten()
+        {
+            IReadOnlyList<GoldenTrack> read = GoldenFile.Read(new MemoryStream(Bytes()));
+            Assert.That(read.Select(track => track.Name), Is.EqualTo(Tracks().Select(track => track.Name)));
+            Assert.That(read[2].Values, Is.EqualTo(Tracks()[2].Values));
+            Assert.That(read[2].Things, Is.EqualTo(s_Things));
+            Assert.That(read[2].Allowed, Is.EqualTo(k_Allowed));
+            Assert.That(read[2].Samples, Is.EqualTo(4));
+        }
+
+        [Test]
+        public void AFileThatIsNone_OrCutShort_IsRefused()
+        {
+            byte[] whole = Bytes();
+            Assert.That(() => GoldenFile.Read(new MemoryStream(new byte[40])), Throws.TypeOf<InvalidDataException>());
+            Assert.That(() => GoldenFile.Read(new MemoryStream(whole, 0, whole.Length - 1)),
+                Throws.TypeOf<InvalidDataException>().With.Message.EqualTo("The file of golden flights is cut short."));
+            whole[8] = whole[9] = whole[10] = 0x7F;
+            Assert.That(() => GoldenFile.Read(new MemoryStream(whole)),
+                Throws.TypeOf<InvalidDataException>().With.Message.Contains("count of"));
+        }
+
+        private static byte[] Bytes()
+        {
+            var stream = new MemoryStream();
+            GoldenFile.Write(stream, Tracks());
+            return stream.ToArray();
+        }
+
+        // Four samples of three things each.
+        private static List<GoldenTrack> Tracks() => Enumerable.Range(1, 3).Select(Track).ToList();
+
+        private static GoldenTrack Track(int number) => new GoldenTrack(
+            $"track {number}", s_Things, k_Allowed, Enumerable.Range(0, 36).Select(k => 0.1f * number * k).ToArray());
+    }
+}
