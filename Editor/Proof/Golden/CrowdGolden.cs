@@ -14,10 +14,13 @@ namespace Alate.Proof
     internal sealed class CrowdGolden : IDisposable
     {
         private const int k_Count = 256, k_Sizes = 3;
-        private const float k_Seconds = 7.3f, k_FrameTime = 1f / 60f, k_FieldOfView = 60f, k_Far = 100f;
+        private const float k_FrameTime = 1f / 60f, k_FieldOfView = 60f, k_Far = 100f;
 
         /// <summary>Distance that is allowed, m: the places are up to ten metres from the middle.</summary>
         private const float k_Allowed = 1e-4f;
+
+        /// <summary>Angles that insects have flown after some seconds, radians.</summary>
+        private static readonly float2 s_Turned = new float2(0.7f, 1.2f), s_TurnedMore = new float2(0.1f, 0.2f);
 
         private NativeArray<CrowdPose> m_Poses = new NativeArray<CrowdPose>(k_Count, Allocator.Persistent);
         private NativeArray<float4> m_Spheres = new NativeArray<float4>(k_Count, Allocator.Persistent);
@@ -43,12 +46,11 @@ namespace Alate.Proof
             {
                 toWorld = float4x4.TRS(new float3(1f, 2f, 3f), quaternion.RotateY(0.5f), 1f),
                 half = new float3(10f, 3f, 10f),
-                speed = 1.3f,
-                speeds = new float2(0.7f, 1.3f),
+                turned = s_Turned,
+                turnedMore = s_TurnedMore,
                 sizes = 0.2f,
                 attitude = quaternion.identity,
                 seed = 5,
-                time = k_Seconds,
                 poses = m_Poses,
             }.Schedule(k_Count, default).Complete();
             CrowdView view = View();
