@@ -19,21 +19,35 @@ namespace Alate.Crowds
         /// <summary>Insects of one call where a device binds 16 kB, the least that OpenGL ES 3 and WebGL 2 promise.</summary>
         public const int LeastBatch = 125;
 
-        private const int k_BytesPerInsect = 2 * 64;
+        private const int k_BytesPerInsect = 2 * k_BytesPerMatrix, k_BytesPerMatrix = 64;
 
         private static readonly int s_Rows = Shader.PropertyToID("_BakeRows"), s_NextRows = Shader.PropertyToID("_BakeNextRows"),
-            s_Tint = Shader.PropertyToID("_BakeTint");
+            s_Tint = Shader.PropertyToID("_BakeTint"), s_LastRows = Shader.PropertyToID("_BakeLastRows"),
+            s_LastNextRows = Shader.PropertyToID("_BakeLastNextRows");
 
         private readonly Vector4[] m_Rows = new Vector4[MostBatch], m_NextRows = new Vector4[MostBatch], m_Tints = new Vector4[MostBatch];
+        private readonly Vector4[] m_LastRows, m_LastNextRows;
         private readonly MaterialPropertyBlock m_Properties = new MaterialPropertyBlock();
-        private CrowdGatherJob m_Job = new CrowdGatherJob
+        private CrowdGatherJob m_Job;
+
+        /// <param name="moves">Whether insects are drawn with motion vectors.</param>
+        public CrowdBatches(bool moves)
         {
-            matrices = new NativeArray<float4x4>(MostBatch, Allocator.Persistent),
-            rows = new NativeArray<float4>(MostBatch, Allocator.Persistent),
-            nextRows = new NativeArray<float4>(MostBatch, Allocator.Persistent),
-            tints = new NativeArray<float4>(MostBatch, Allocator.Persistent),
-            corners = new NativeArray<float3>(2, Allocator.Persistent),
-        };
+            int last = moves ? MostBatch : 0;
+            m_LastRows = new Vector4[last];
+            m_LastNextRows = new Vector4[last];
+            m_Job = new CrowdGatherJob
+            {
+                moves = moves,
+                matrices = new NativeArray<float4x4>(MostBatch + last, Allocator.Persistent),
+                rows = new NativeArray<float4>(MostBatch, Allocator.Persistent),
+                nextRows = new NativeArray<float4>(MostBatch, Allocator.Persistent),
+                tints = new NativeArray<float4>(MostBatch, Allocator.Persistent),
+                lastRows = new NativeArray<float4>(last, Allocator.Persistent),
+                lastNextRows = new NativeArray<float4>(last, Allocator.Persistent),
+                corners = new NativeArray<float3>(2, Allocator.Persistent),
+            };
+        }
 
         /// <summary>
         /// Insects that this device draws at once, <see cref="LeastBatch"/> to <see cref="MostBatch"/>. More in one call would be split by
@@ -43,6 +57,9 @@ namespace Alate.Crowds
             SystemInfo.maxConstantBufferSize,
             (SystemInfo.graphicsDeviceType == GraphicsDeviceType.Vulkan && Application.isMobilePlatform)
                 || SystemInfo.graphicsDeviceType == GraphicsDeviceType.Switch);
+
+        /// <summary>True where insects are drawn with motion vectors.</summary>
+        public bool Moves => m_Job.moves;
 
         /// <summary>Calls since <see cref="Begin"/>.</summary>
         public int Calls { get; private set; }
@@ -69,7 +86,7 @@ namespace Alate.Crowds
         /// <summary>Draws what one camera sees.</summary>
         /// <param name="insect">Meshes and materials.</param>
         /// <param name="buffers">What is in sight.</param>
-        /// <param name="look">Camera, layers and shadows; material, bounds and properties are filled in.</param>
+        /// <param name="look">Camera, layers, shadows and motion vectors; material, bounds and properties are filled in.</param>
         public void Draw(BakedInsect insect, CrowdBuffers buffers, RenderParams look)
         {
             look.matProps = m_Properties;
@@ -90,7 +107,7 @@ namespace Alate.Crowds
                     for (int part = 0; part < drawn.mesh.subMeshCount; part++)
                     {
                         look.material = insect.Materials[part];
-                        Graphics.RenderMeshInstanced(look, drawn.mesh, part, job.matrices.Reinterpret<Matrix4x4>(), job.count);
+                        Render(look, drawn.mesh, part, job);
                         Calls++;
                     }
                 }
@@ -106,7 +123,17 @@ namespace Alate.Crowds
             m_Job.rows.Dispose();
             m_Job.nextRows.Dispose();
             m_Job.tints.Dispose();
+            m_Job.lastRows.Dispose();
+            m_Job.lastNextRows.Dispose();
             m_Job.corners.Dispose();
+        }
+
+        private static void Render(in RenderParams look, Mesh mesh, int part, in CrowdGatherJob job)
+        {
+            if (job.moves)
+                Graphics.RenderMeshInstanced(look, mesh, part, job.matrices.Reinterpret<CrowdInstance>(k_BytesPerMatrix), job.count);
+            else
+                Graphics.RenderMeshInstanced(look, mesh, part, job.matrices.Reinterpret<Matrix4x4>(), job.count);
         }
 
         private void Gather(CrowdGatherJob job, ref RenderParams look)
@@ -119,6 +146,14 @@ namespace Alate.Crowds
             m_Properties.SetVectorArray(s_Rows, m_Rows);
             m_Properties.SetVectorArray(s_NextRows, m_NextRows);
             m_Properties.SetVectorArray(s_Tint, m_Tints);
+            if (job.moves)
+            {
+                NativeArray<Vector4>.Copy(job.lastRows.Reinterpret<Vector4>(), m_LastRows, job.count);
+                NativeArray<Vector4>.Copy(job.lastNextRows.Reinterpret<Vector4>(), m_LastNextRows, job.count);
+                m_Properties.SetVectorArray(s_LastRows, m_LastRows);
+                m_Properties.SetVectorArray(s_LastNextRows, m_LastNextRows);
+            }
+
             var box = new Bounds();
             box.SetMinMax(job.corners[0], job.corners[1]);
             look.worldBounds = box;

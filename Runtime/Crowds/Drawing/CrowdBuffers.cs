@@ -8,7 +8,7 @@ namespace Alate.Crowds
 {
     /// <summary>
     /// Memory of a crowd: poses, what the shader reads of each insect, and what the camera sees that draws. 190 bytes an insect, 12 more
-    /// where they are translucent.
+    /// where they are translucent, 96 more with motion vectors.
     /// </summary>
     internal sealed class CrowdBuffers : IDisposable
     {
@@ -66,6 +66,15 @@ namespace Alate.Crowds
             ReadLoops();
             ReadMaterials();
             return true;
+        }
+
+        /// <summary>Keeps what the shader read of each insect in the last frame, or no longer.</summary>
+        public void SetMotion(bool moves)
+        {
+            if (instances.Moves == moves || poses.Length == 0)
+                return;
+            instances.Dispose();
+            instances = new CrowdInstances(poses.Length, moves);
         }
 
         /// <summary>True where a material is translucent, and what is behind must be drawn before what is in front.</summary>

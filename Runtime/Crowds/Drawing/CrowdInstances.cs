@@ -6,7 +6,8 @@ namespace Alate.Crowds
 {
     /// <summary>
     /// Matrices, rows and tints that the shader reads of each insect, made once a frame for the cameras that see it. Those that one saw in
-    /// the last frame are made beforehand, on a worker; others by the first camera that sees them. 113 bytes an insect.
+    /// the last frame are made beforehand, on a worker; others by the first camera that sees them. 113 bytes an insect, 209 with motion:
+    /// then what they were in the last frame is kept too.
     /// </summary>
     internal struct CrowdInstances : IDisposable
     {
@@ -24,11 +25,27 @@ namespace Alate.Crowds
         /// <summary>[insect] Red, green, blue; 1.</summary>
         public NativeArray<float4> tints;
 
+        /// <summary>
+        /// [insect] The matrix of the last frame, or this frame's where no camera saw the insect then; empty without motion.
+        /// </summary>
+        public NativeArray<float4x4> lastMatrices;
+
+        /// <summary>[insect] The rows of the last frame, likewise.</summary>
+        public NativeArray<float4> lastRows;
+
+        /// <summary>[insect] The next loop's rows of the last frame, likewise; the last number is 1.</summary>
+        public NativeArray<float4> lastNextRows;
+
         private NativeArray<byte> m_States;
 
         /// <param name="count">Insects.</param>
-        public CrowdInstances(int count)
+        /// <param name="moves">Whether the last frame is kept.</param>
+        public CrowdInstances(int count, bool moves = false)
         {
+            int last = moves ? count : 0;
+            lastMatrices = new NativeArray<float4x4>(last, Allocator.Persistent);
+            lastRows = new NativeArray<float4>(last, Allocator.Persistent);
+            lastNextRows = new NativeArray<float4>(last, Allocator.Persistent);
             matrices = new NativeArray<float4x4>(count, Allocator.Persistent);
             rows = new NativeArray<float4>(count, Allocator.Persistent);
             nextRows = new NativeArray<float4>(count, Allocator.Persistent);
@@ -39,6 +56,9 @@ namespace Alate.Crowds
         /// <summary>Number of insects.</summary>
         public int Length => matrices.Length;
 
+        /// <summary>True where the last frame is kept.</summary>
+        public bool Moves => lastMatrices.Length > 0;
+
         /// <summary>Starts a frame for an insect.</summary>
         /// <param name="insect">Its number.</param>
         /// <param name="pose">Where it is.</param>
@@ -47,8 +67,11 @@ namespace Alate.Crowds
         {
             bool wasSeen = m_States[insect] == k_Seen;
             m_States[insect] = wasSeen ? k_Made : k_Stale;
-            if (wasSeen)
-                Make(insect, pose, loops);
+            if (!wasSeen)
+                return;
+            if (Moves)
+                KeepLast(insect);
+            Make(insect, pose, loops);
         }
 
         /// <summary>Has an insect ready for a camera that sees it.</summary>
@@ -58,7 +81,12 @@ namespace Alate.Crowds
         public void See(int insect, in CrowdPose pose, NativeArray<LoopRows> loops)
         {
             if (m_States[insect] == k_Stale)
+            {
                 Make(insect, pose, loops);
+                if (Moves)
+                    KeepLast(insect);
+            }
+
             m_States[insect] = k_Seen;
         }
 
@@ -69,7 +97,17 @@ namespace Alate.Crowds
             rows.Dispose();
             nextRows.Dispose();
             tints.Dispose();
+            lastMatrices.Dispose();
+            lastRows.Dispose();
+            lastNextRows.Dispose();
             m_States.Dispose();
+        }
+
+        private void KeepLast(int insect)
+        {
+            lastMatrices[insect] = matrices[insect];
+            lastRows[insect] = rows[insect];
+            lastNextRows[insect] = new float4(nextRows[insect].xyz, 1f);
         }
 
         private void Make(int insect, in CrowdPose pose, NativeArray<LoopRows> loops)

@@ -31,6 +31,9 @@ namespace Alate.Crowds
         private float m_Distance = k_Distance;
 
         private readonly List<Member> m_Members = new List<Member>();
+
+        // Baked members by the number of their pose, which they keep for as long: motion vectors lead from pose to pose. Null where free.
+        private readonly List<Member> m_Baked = new List<Member>();
         private InsectCrowd m_Crowd;
 
         /// <summary>Number of the flock, as its pilots have it (<see cref="FlockSettings.group"/>).</summary>
@@ -57,14 +60,16 @@ namespace Alate.Crowds
             foreach (Member member in m_Members)
                 member.Show(true);
             m_Members.Clear();
+            m_Baked.Clear();
             BakedCount = 0;
         }
 
         private void Update()
         {
             Gather();
-            if (m_Crowd.Count < m_Members.Count)
-                m_Crowd.Count = 2 * m_Members.Count;
+            int room = math.max(m_Members.Count, m_Baked.Count);
+            if (m_Crowd.Count < room)
+                m_Crowd.Count = 2 * room;
             NativeArray<CrowdPose> poses = m_Crowd.Poses;
             Camera eye = m_Crowd.Camera != null ? m_Crowd.Camera : Camera.main;
             BakedCount = 0;
@@ -73,12 +78,25 @@ namespace Alate.Crowds
                 Member member = m_Members[k];
                 bool baked = poses.IsCreated && eye != null && member.IsFar(eye.transform.position, Distance);
                 member.Show(!baked);
+                Number(member, baked);
                 if (baked)
-                    poses[BakedCount++] = member.Pose(m_Crowd.Insect);
+                    BakedCount++;
             }
 
-            for (int k = BakedCount; k < poses.Length; k++)
-                poses[k] = default;
+            for (int k = 0; k < poses.Length; k++)
+                poses[k] = k < m_Baked.Count && m_Baked[k] != null ? m_Baked[k].Pose(m_Crowd.Insect) : default;
+        }
+
+        private void Number(Member member, bool baked)
+        {
+            if (member.IsBaked == baked)
+                return;
+            member.IsBaked = baked;
+            int number = m_Baked.IndexOf(baked ? null : member);
+            if (number < 0)
+                m_Baked.Add(member);
+            else
+                m_Baked[number] = baked ? member : null;
         }
 
         // Members come and go seldom; those that went are shown as they were.
@@ -90,6 +108,7 @@ namespace Alate.Crowds
                 if (m_Members[k].IsOf(m_Group))
                     continue;
                 m_Members[k].Show(true);
+                Number(m_Members[k], false);
                 m_Members.RemoveAt(k);
             }
 
@@ -126,6 +145,9 @@ namespace Alate.Crowds
             }
 
             public FlockPilot Pilot { get; }
+
+            /// <summary>True while the insect has a pose of the crowd.</summary>
+            public bool IsBaked { get; set; }
 
             public bool IsOf(int group) => Pilot != null && Pilot.isActiveAndEnabled && Pilot.Settings.group == group;
 

@@ -10,20 +10,21 @@ namespace Alate.Tests.Play
     public sealed class CrowdGarbageTests : PlayFixture
     {
         [UnityTest]
-        public IEnumerator AFrame_AllocatesNothing_AndSchedulesTheSameJobs([Values(1, 100)] int insects) => Check(insects);
+        public IEnumerator AFrame_AllocatesNothing_AndSchedulesTheSameJobs(
+            [Values(1, 100)] int insects, [Values] bool motion) => Check(insects, motion);
 
         [UnityTest]
         [Explicit]
         [Category("Long")]
-        public IEnumerator AFrameOfFourHundred_AllocatesNothing_AndSchedulesTheSameJobs() => Check(400);
+        public IEnumerator AFrameOfFourHundred_AllocatesNothing_AndSchedulesTheSameJobs() => Check(400, false);
 
-        private IEnumerator Check(int insects)
+        private IEnumerator Check(int insects, bool motion)
         {
             Mesh mesh = Keep(TestWings.ToMesh(TestWings.Ellipse()));
             WingSkeleton skeleton = Keep(TestWings.Fan());
             WingPreset preset = Keep(InsectCatalogue.Monarch());
             for (int k = 0; k < insects; k++)
-                Hatch(mesh, skeleton, preset);
+                Hatch(mesh, skeleton, preset, motion);
             yield return Frames(60);
             Assert.That(WingSystem.InsectCount, Is.EqualTo(insects));
 
@@ -43,13 +44,14 @@ namespace Alate.Tests.Play
             Assert.That(loop.StepCount - steps, Is.EqualTo(1), "one step job a fixed step, however many insects");
         }
 
-        private void Hatch(Mesh mesh, WingSkeleton skeleton, WingPreset preset)
+        private void Hatch(Mesh mesh, WingSkeleton skeleton, WingPreset preset, bool motion)
         {
             GameObject root = Keep(new GameObject("insect"));
             root.SetActive(false);
             InsectWings insect = root.AddComponent<InsectWings>();
             insect.Wings.Clear();
             insect.Preset = preset;
+            insect.Quality.motionVectors = motion;
             foreach (WingSide side in new[] { WingSide.Right, WingSide.Left })
             {
                 var wing = new GameObject("wing");

@@ -94,6 +94,32 @@ namespace Alate.Tests.Play.Headless
         }
 
         [UnityTest]
+        public IEnumerator ABakedInsectOfAFlock_KeepsItsPose_WhileOthersComeAndGo()
+        {
+            Scene = new CrowdScene("monarch", InsectVariant.Flight, 1, "cruise", "hover");
+            FlockCrowd flock = Scene.Crowd.gameObject.AddComponent<FlockCrowd>();
+            flock.Distance = 30f;
+            InsectWings[] flying = [.. Enumerable.Range(0, 3).Select(k => Hatch(new Vector3(10f * k, 0f, 60f)))];
+            foreach (InsectWings insect in flying)
+                insect.GetComponent<InsectFlight>().enabled = false;
+            yield return Frames(3);
+            Assert.That(Shown(), Is.EqualTo(new[] { 0f, 10f, 20f }));
+
+            flying[0].transform.position = Scene.Camera.transform.position + new Vector3(0f, 0f, 5f);
+            yield return null;
+            Assert.That(Shown(), Is.EqualTo(new[] { float.NaN, 10f, 20f }));
+            InsectWings late = Hatch(new Vector3(30f, 0f, 60f));
+            late.GetComponent<InsectFlight>().enabled = false;
+            Object.Destroy(flying[1].gameObject);
+            yield return Frames(3);
+            Assert.That(flock.BakedCount, Is.EqualTo(2));
+            Assert.That(Scene.Crowd.Poses[2].position.x, Is.EqualTo(20f), "it keeps its pose");
+            Assert.That(Shown().Where(x => !float.IsNaN(x)), Is.EquivalentTo(new[] { 20f, 30f }));
+
+            float[] Shown() => [.. Scene.Crowd.Poses.Take(3).Select(pose => pose.scale > 0f ? math.round(pose.position.x) : float.NaN)];
+        }
+
+        [UnityTest]
         public IEnumerator InsectsThatLeaveAFlock_OrWhoseFlockIsNoLongerDrawn_AreShownWhole_AndNewOnesAreTakenIn()
         {
             Scene = new CrowdScene("monarch", InsectVariant.Flight, 1, "cruise", "hover");

@@ -16,7 +16,10 @@ namespace Alate.Tests.Play.Headless
     /// <summary>Serialised numbers of crowds, written while they play: those that KeyedFieldsTests leaves to these tests.</summary>
     public sealed class KeyedCrowdTests : KeyedFixture
     {
-        private static readonly Dictionary<string, string> s_Exceptions = new();
+        private static readonly Dictionary<string, string> s_Exceptions = new()
+        {
+            ["InsectCrowd.m_MotionVectors"] = "in a pipeline of scripts alone",
+        };
 
         private CrowdScene m_Scene;
         private InsectWings m_Far;

@@ -46,6 +46,7 @@ public struct RenderParams
         receiveShadows = false;
         camera = null;
         renderingLayerMask = 1;
+        motionVectorMode = MotionVectorGenerationMode.Camera;
     }
 
     public Material material { get; set; }
@@ -58,6 +59,7 @@ public struct RenderParams
     /// <summary>The camera that draws the call; null for all.</summary>
     public Camera camera { get; set; }
     public uint renderingLayerMask { get; set; }
+    public MotionVectorGenerationMode motionVectorMode { get; set; }
 }
 
 public sealed class GL

@@ -1,13 +1,16 @@
 using System.Collections.Generic;
+using System.Linq;
+using System.Reflection;
 using Unity.Collections;
 using UnityEngine;
 
 namespace Unity.StandIns;
 
-/// <summary>One call that drew instances of a mesh.</summary>
+/// <summary>One call that drew instances of a mesh; the last matrices are null where it gave none.</summary>
 [StandInExtension]
 public sealed record DrawnBatch(
-    Mesh Mesh, int Submesh, RenderParams Parameters, Matrix4x4[] Matrices, IReadOnlyDictionary<string, Vector4[]> Properties)
+    Mesh Mesh, int Submesh, RenderParams Parameters, Matrix4x4[] Matrices, Matrix4x4[] LastMatrices,
+    IReadOnlyDictionary<string, Vector4[]> Properties)
 {
     public Material Material => Parameters.material;
 
@@ -26,9 +29,17 @@ public static class DrawnInstances
     {
         if (Calls == null)
             return;
-        NativeArray<Matrix4x4> matrices = instances.Reinterpret<Matrix4x4>();
-        var drawn = new Matrix4x4[count];
-        NativeArray<Matrix4x4>.Copy(matrices, start, drawn, 0, count);
-        Calls.Add(new DrawnBatch(mesh, submesh, parameters, drawn, parameters.matProps.CopyVectors()));
+        Matrix4x4[] drawn = Read(instances, "objectToWorld", count, start);
+        Matrix4x4[] last = Read(instances, "prevObjectToWorld", count, start);
+        Calls.Add(new DrawnBatch(mesh, submesh, parameters, drawn, last, parameters.matProps.CopyVectors()));
+    }
+
+    // As Unity does: matrices alone, or a struct with fields of certain names.
+    private static Matrix4x4[] Read<T>(NativeArray<T> instances, string name, int count, int start) where T : unmanaged
+    {
+        FieldInfo field = typeof(T).GetField(name);
+        if (typeof(T) == typeof(Matrix4x4))
+            return name == "objectToWorld" ? instances.Skip(start).Take(count).Select(value => (Matrix4x4)(object)value).ToArray() : null;
+        return field == null ? null : instances.Skip(start).Take(count).Select(value => (Matrix4x4)field.GetValue(value)).ToArray();
     }
 }
