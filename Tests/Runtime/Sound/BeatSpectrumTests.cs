@@ -79,6 +79,46 @@ namespace Alate.Tests.Sound
             Assert.That(read, Is.All.Zero);
         }
 
+        [Test]
+        public void AForceThatIsMetAgain_CountsHalf_AndAllOlderOnesTogetherTheOtherHalf()
+        {
+            // Three beats of one overtone each: a quarter, a quarter and a half of them are left.
+            var beat = new BeatSpectrum();
+            for (int overtone = 1; overtone <= 3; overtone++)
+                Fill(beat, phase => new float3(0f, math.cos(2f * math.PI * overtone * phase), 0f));
+            float[] read = new float[BeatSpectrum.Overtones];
+            beat.Read(read);
+
+            float unit = math.sqrt(2f / (1f + 4f + 36f));
+            Assert.That(read.Take(4), Is.EqualTo(new[] { unit, 2f * unit, 6f * unit, 0f }).Within(1e-3f));
+        }
+
+        [TestCase(1.95e-4f, false)]
+        [TestCase(2.05e-4f, true)]
+        public void AForceIsSteady_WhereItsChangeIsBelowTheRoundingOfItsSquare(float share, bool isHeard)
+        {
+            // Half of the change's square is its mean square, half of which is one overtone's: a quarter is compared with 1e-8.
+            float[] read = Read(phase => new float3(0f, 1f + share * math.cos(2f * math.PI * phase), 0f));
+            Assert.That(read[0], Is.EqualTo(isHeard ? math.sqrt(2f) : 0f).Within(0.1f));
+        }
+
+        [Test]
+        public void TheEndOfABeat_IsItsLastPhase_AndOnePhaseAloneIsSteady()
+        {
+            var beat = new BeatSpectrum();
+            beat.Add(1f, new float3(0f, 5f, 0f));
+            float[] read = new float[BeatSpectrum.Overtones];
+            beat.Read(read);
+            Assert.That(read, Is.All.Zero);
+
+            // A second phase half a beat before: lines up and down, a triangle, whose even overtones are none and odd ones fall by n².
+            beat.Add(0.5f - 0.5f / 64f, float3.zero);
+            beat.Read(read);
+            for (int k = 0; k < 6; k++)
+                Assert.That(read[k], Is.EqualTo(k % 2 == 0 ? read[0] / (k + 1) : 0f).Within(0.01f), $"overtone {k + 1}");
+            Assert.That(read[0], Is.GreaterThan(1f));
+        }
+
         private static float[] Read(Func<float, float3> force)
         {
             var beat = new BeatSpectrum();

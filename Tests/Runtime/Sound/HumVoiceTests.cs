@@ -76,6 +76,36 @@ namespace Alate.Tests.Sound
         }
 
         [Test]
+        public void AToneThatChanges_NearsTheNewOneExponentially_FrequencyLevelAndOvertones([ValueSource(nameof(s_Rates))] int rate)
+        {
+            const double before = 100.0, after = 160.0;
+            var voice = new HumVoice();
+            int played = Say(voice, Tone((float)before, 0.3f, 1f), v => Buffer(v, 0.3, rate, 1)).Length;
+            float[] samples = Say(voice, Tone((float)after, 0.2f, 0f, 1f), v => Buffer(v, 0.1, rate, 1));
+
+            // What is left of the old tone is exp(−t / glide); turns are the integral of the frequency.
+            for (int k = 0; k < samples.Length; k++)
+            {
+                double seconds = (double)k / rate, left = Math.Exp(-seconds / HumVoice.GlideSeconds);
+                double turns = before * played / rate + after * seconds + (before - after) * HumVoice.GlideSeconds * (1.0 - left);
+                double wanted = (0.2 + 0.1 * left) * Math.Sqrt(2.0)
+                    * (left * Math.Sin(2.0 * Math.PI * turns) + (1.0 - left) * Math.Sin(4.0 * Math.PI * turns));
+                Assert.That(samples[k], Is.EqualTo(wanted).Within(2e-3 + 100.0 / rate), $"after {seconds:0.0000} s");
+            }
+        }
+
+        [Test]
+        public void AToneThatComesOutOfSilence_SoundsAsFromAFreshVoice([ValueSource(nameof(s_Rates))] int rate)
+        {
+            HumTone wanted = Tone(73f, 0.4f, 0.3f, 1f);
+            var used = new HumVoice();
+            Say(used, Tone(51f, 0.5f, 1f, 0f, 0.5f), v => Buffer(v, 0.2, rate, 1));
+            Say(used, Tone(51f, 0f, 1f), v => Buffer(v, 0.31, rate, 1));
+
+            Assert.That(Say(used, wanted, v => Buffer(v, 0.05, rate, 1)), Is.EqualTo(Buffer(Spoken(wanted), 0.05, rate, 1)));
+        }
+
+        [Test]
         public void TheTone_MultipliesWhatIsThere_OnEachChannel()
         {
             HumVoice left = Spoken(Tone(80f, 0.4f, 1f)), both = Spoken(Tone(80f, 0.4f, 1f));

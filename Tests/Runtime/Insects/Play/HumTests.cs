@@ -40,6 +40,31 @@ namespace Alate.Tests.Play
         }
 
         [UnityTest]
+        public IEnumerator Overtones_AreThoseOfTheAirsForceOverTheBeat()
+        {
+            InsectWings insect = Insect();
+            InsectHum hum = AddHum(insect);
+            var beat = new BeatSpectrum();
+            for (int frame = 0; frame < 240; frame++)
+            {
+                yield return null;
+                beat.Add(insect.Phase / 360f % 1f, insect.AirForce);
+            }
+
+            float[] overtones = new float[BeatSpectrum.Overtones];
+            beat.Read(overtones);
+            int rate = AudioSettings.outputSampleRate;
+            float[] heard = Heard(hum, rate);
+            for (int k = 0; k < 4; k++)
+            {
+                Assert.That(Strength(heard, (k + 1) * hum.Frequency, rate),
+                    Is.EqualTo(hum.Level * overtones[k]).Within(0.05f * hum.Level), $"overtone {k + 1}");
+            }
+
+            Assert.That(overtones[0] + overtones[1], Is.GreaterThan(0.5f));
+        }
+
+        [UnityTest]
         public IEnumerator InSlowMotion_TheToneIsLower_AndWhereTimeStands_Silent()
         {
             InsectWings insect = Insect();
@@ -82,7 +107,8 @@ namespace Alate.Tests.Play
             yield return null;
             float[] ones = new float[source.clip.samples];
             source.clip.GetData(ones, 0);
-            Assert.That(ones, Is.All.EqualTo(1f));
+            Assert.That(ones, Is.Not.Empty.And.All.EqualTo(1f));
+            Assert.That((source.clip.channels, source.clip.frequency), Is.EqualTo((1, AudioSettings.outputSampleRate)));
             Assert.That((source.loop, source.isPlaying), Is.EqualTo((true, true)));
             AudioClip made = source.clip;
             hum.enabled = false;
@@ -156,14 +182,37 @@ namespace Alate.Tests.Play
 
         private static float Loudest(InsectHum hum, int samples)
         {
-            float[] data = new float[samples];
-            Array.Fill(data, 1f);
-            hum.OnAudioFilterRead(data, 1);
-            hum.OnAudioFilterRead(data, 1);
             float loudest = 0f;
-            for (int k = samples / 2; k < samples; k++)
-                loudest = Mathf.Max(loudest, Mathf.Abs(data[k]));
+            foreach (float sample in Heard(hum, samples))
+                loudest = Mathf.Max(loudest, Mathf.Abs(sample));
             return loudest;
+        }
+
+        // After as long a time, in which it glides to what is wanted now.
+        private static float[] Heard(InsectHum hum, int samples)
+        {
+            float[] data = new float[samples];
+            for (int round = 0; round < 2; round++)
+            {
+                Array.Fill(data, 1f);
+                hum.OnAudioFilterRead(data, 1);
+            }
+
+            return data;
+        }
+
+        // Amplitude of one frequency, under a window of Hann.
+        private static double Strength(float[] samples, double frequency, int rate)
+        {
+            double cosine = 0.0, sine = 0.0;
+            for (int k = 0; k < samples.Length; k++)
+            {
+                double window = 1.0 - Math.Cos(2.0 * Math.PI * k / samples.Length), angle = 2.0 * Math.PI * frequency * k / rate;
+                cosine += window * samples[k] * Math.Cos(angle);
+                sine += window * samples[k] * Math.Sin(angle);
+            }
+
+            return 2.0 * Math.Sqrt(cosine * cosine + sine * sine) / samples.Length;
         }
     }
 }
