@@ -59,6 +59,38 @@ namespace Alate.Editor.Tests
             Assert.That(Polygon.Area(outline), Is.EqualTo(truth).Within(0.1 * Polyline.LengthOf(outline, true)));
         }
 
+        // A long ellipse, whose sides lie beside chords by up to the tolerance.
+        [TestCase(300, 0.25)]
+        [TestCase(1300, 0.65)]
+        public void AnOutline_LiesBesideTheRim_ByNoMoreThanAQuarterOfAPixel_OrHalfAThousandthOfTheLength(int length, double tolerance)
+        {
+            var ellipse = new Vector2[2000];
+            for (int k = 0; k < ellipse.Length; k++)
+            {
+                double angle = 2.0 * Math.PI * k / ellipse.Length;
+                ellipse[k] = V(0.5f * length * (1f + (float)Math.Cos(angle)) + 20f, 45f + 25f * (float)Math.Sin(angle));
+            }
+
+            DrawnPicture picture = new DrawnPicture(length + 40, 90, new Color32(255, 255, 255, 255))
+                .Fill(ellipse, new Color32(0, 0, 0, 255));
+            var wing = WingSeparation.Of(new WorkingPicture(picture.ToPicture()));
+            PlanPoint[] outline = OutlineFinder.Find(wing, 1);
+            double farthest = 0.0;
+            foreach (Vector2 place in ellipse)
+            {
+                if (Math.Abs(place.x - 20f - 0.5f * length) < 0.4f * length)
+                    farthest = Math.Max(farthest, Polyline.Distance(outline, new PlanPoint(place.x, -place.y), true));
+            }
+
+            Assert.That(farthest, Is.InRange(0.5 * tolerance, tolerance + 0.1));
+
+            // Each pixel of a picture that was made smaller counts for as many.
+            PlanPoint[] larger = OutlineFinder.Find(wing, 3);
+            Assert.That(larger.Length, Is.EqualTo(outline.Length));
+            for (int k = 0; k < outline.Length; k++)
+                Assert.That((larger[k] - outline[k] * 3.0).LengthSquared, Is.LessThan(1e-12));
+        }
+
         [Test]
         public void BlackWingOnTransparentBlack_IsToldByItsAlphaAlone()
         {

@@ -131,6 +131,48 @@ namespace Alate.Editor.Tests
             Assert.That(costs, Is.EquivalentTo(new[] { 1.5, 2.5 }), "the upright line goes on to the level one, the level one does not");
         }
 
+        // From a fork the stem of a T goes on over a gap ahead; the bar's halves go on in one another, and so do the lines of a cross.
+        [TestCase(0, 0)]
+        [TestCase(9, 0)]
+        [TestCase(9, 6)]
+        public void AFork_IsBridgedAhead_WhereNoLineGoesOn(int gap, int beyond)
+        {
+            const double length = 200.0;
+            const int fork = 40;
+            var thin = new PixelMask(140, 100);
+            for (int x = 10; x < 130; x++)
+                thin[x, fork] = true;
+            for (int y = fork + 1; y < 90; y++)
+                thin[60, y] = true;
+            for (int y = 5; y < fork - gap; y++)
+                thin[60, y] = true;
+            for (int x = 60; x < 60 + beyond; x++)
+                thin[x, fork - gap - 1] = true;
+            var graph = new VeinGraph(thin, length);
+            var bridges = new List<(double cost, int column, int from, int to)>();
+            double shortest = double.MaxValue;
+            for (int vertex = 0; vertex < graph.Count; vertex++)
+            {
+                foreach (VeinLink link in graph.LinksOf(vertex))
+                {
+                    if (!link.IsBridge)
+                        continue;
+                    bridges.Add((link.dearness, (int)graph[vertex].x, (int)-graph[vertex].z, (int)-graph[link.to].z));
+                    shortest = Math.Min(shortest, link.length);
+                }
+            }
+
+            // Where there is no gap the four lines cross; over a gap the stem and the line ahead find each other.
+            if (gap == 0)
+            {
+                Assert.That(bridges, Is.Empty);
+                return;
+            }
+
+            Assert.That(bridges, Has.Some.EqualTo((1.5, 60, fork, fork - gap - 1)), "from the fork");
+            Assert.That(shortest, Is.EqualTo(gap + 1.0).Within(1e-9), "nothing is joined along the bar");
+        }
+
         [TestCase(3, false)]
         [TestCase(6, true)]
         public void AShortSpur_IsCutOff(int spur, bool stays)

@@ -12,6 +12,35 @@ namespace Alate.Editor.Tests
     {
         private static readonly InsectProblem s_All = InsectProblem.None;
 
+        // The body is a hint: a wing that is drawn by a turned object has the chains of one that is not, where it is drawn.
+        [TestCase(0f, 0f, 0f)]
+        [TestCase(0f, 130f, 0f)]
+        [TestCase(70f, -40f, 160f)]
+        public void AFit_HasItsChainsWhereTheWingIsDrawn_HoweverItsObjectIsTurned(float x, float y, float z)
+        {
+            GameObject bare = Bare();
+            bare.transform.SetPositionAndRotation(new Vector3(3f, 4f, 5f), Quaternion.Euler(10f, 200f, 30f));
+            Transform wing = bare.GetComponentsInChildren<MeshRenderer>()[0].transform;
+            SurfaceMesh surface = SurfaceMesh.FromMesh(wing.GetComponent<MeshFilter>().sharedMesh);
+            WingSkeleton plain = Keep(LayOutSkeletonFix.Fit(surface, bare.transform, wing).Skeleton);
+            var turn = Quaternion.Euler(x, y, z);
+            wing.localRotation = turn;
+            surface.positions = System.Array.ConvertAll(surface.positions, place => Quaternion.Inverse(turn) * place);
+            surface.normals = null;
+            WingSkeleton turned = Keep(LayOutSkeletonFix.Fit(surface, bare.transform, wing).Skeleton);
+
+            float length = (plain.GetJoint(0, 4) - plain.GetJoint(0, 0)).magnitude;
+            Assert.That((turn * turned.UpAxis - plain.UpAxis).magnitude, Is.LessThan(1e-3f), "up");
+            for (int chain = 0; chain < 5; chain++)
+            {
+                for (int joint = 0; joint < 5; joint++)
+                {
+                    Assert.That((turn * turned.GetJoint(chain, joint) - plain.GetJoint(chain, joint)).magnitude,
+                        Is.LessThan(0.01f * length), $"joint {chain}, {joint}");
+                }
+            }
+        }
+
         [Test]
         public void WingsWithoutSkeleton_GetSavedOnes_AndUndoTakesThemOff()
         {

@@ -127,6 +127,15 @@ namespace Alate.Editor.Tests
 
             Assert.That(new OpenSkeletonFix().FindObstacle(insect, new InsectProblem(InsectState.SkeletonInvalid, 0, "")), Is.Not.Null);
             Assert.That(new OpenSkeletonFix().FindObstacle(insect, new InsectProblem(InsectState.SkeletonInvalid, 1, "")), Is.Null);
+            foreach (int wing in new[] { -1, 2, 7 })
+            {
+                var problem = new InsectProblem(InsectState.SkeletonInvalid, wing, "");
+                Assert.That(new OpenSkeletonFix().FindObstacle(insect, problem), Is.EqualTo("The wing has no skeleton."), $"wing {wing}");
+                Assert.That(new OpenSkeletonFix().Apply(insect, problem).IsDone, Is.False, $"wing {wing}");
+            }
+
+            insect.Wings[1] = null;
+            Assert.That(new OpenSkeletonFix().FindObstacle(insect, new InsectProblem(InsectState.SkeletonInvalid, 1, "")), Is.Not.Null);
         }
 
         private static FixOutcome Apply(InsectFix fix, InsectWings insect) => fix.Apply(insect, InsectProblem.None);

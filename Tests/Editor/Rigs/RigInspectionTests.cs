@@ -138,8 +138,13 @@ namespace Alate.Editor.Tests
 
             Assert.That(mesh.Mesh, Is.SameAs(drawn));
             Assert.That(drawn.colors32, Is.Not.EqualTo(first));
-            Assert.That(drawn.vertexCount, Is.EqualTo(3 * seen.triangles.Count));
+            AssertShows(drawn, seen);
+            RigInspection other = RigInspection.TryMake(Skeleton, Stretched(2f), k_Patches, out _);
+            mesh.Show(other, RigColourMode.JointWeight, new[] { new JointIndex(4, 4) }, WingParameters.Default);
+            Assert.That(mesh.Mesh, Is.SameAs(drawn));
+            AssertShows(drawn, other);
             mesh.Dispose();
+            Assert.That(mesh.Mesh == null, "none is shown");
             Assert.That(drawn == null, "destroyed");
         }
 
@@ -154,6 +159,24 @@ namespace Alate.Editor.Tests
             Do("Reverse Chains");
             Assert.That(RigInspection.TryMake(Skeleton, Surface(), 0, out string skeleton), Is.Null);
             Assert.That(skeleton, Is.EqualTo(Skeleton.Validate()[0].Message));
+        }
+
+        private SurfaceMesh Stretched(float by)
+        {
+            SurfaceMesh surface = Surface();
+            surface.positions = surface.positions.Select(place => by * place).ToArray();
+            return surface;
+        }
+
+        // Each corner of each triangle on its own, where the wing has it.
+        private static void AssertShows(Mesh drawn, RigInspection seen)
+        {
+            Vector3[] places = drawn.vertices;
+            int[] corners = drawn.triangles;
+            Assert.That(places, Has.Length.EqualTo(3 * seen.triangles.Count));
+            Assert.That(corners.Distinct().Count(), Is.EqualTo(places.Length), "corners share nothing");
+            for (int k = 0; k < corners.Length; k++)
+                Assert.That(places[corners[k]], Is.EqualTo(seen.Surface.positions[seen.triangles.corners[k / 3][k % 3]]));
         }
 
         private RigInspection Inspect() => RigInspection.TryMake(Skeleton, Surface(), k_Patches, out _);

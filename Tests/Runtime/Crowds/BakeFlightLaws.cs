@@ -40,6 +40,25 @@ namespace Alate.Tests.Crowds
             }
         }
 
+        [TestCase(0.3f, -0.2f, 35f)]
+        [TestCase(-0.1f, 0.25f, -70f)]
+        public void TheAttitude_TurnsWhatTheBodyFlies_IntoTheWorldsMotion(float speed, float climb, float pitch)
+        {
+            InsectWings insect = Monarch();
+            var motion = new BakeMotion("own")
+            {
+                Speed = speed, Climb = climb, PitchDegrees = pitch, Steering = new InsectSteering { frequencyScale = 1f },
+            };
+            InsectBake bake = InsectBaker.Bake(insect, new[] { motion }, new BakeSettings(BakeSettings.MinFrames));
+            BakedClip clip = bake.Clips[0];
+            float top = new PresetValues(insect.Preset).parameters.maxSpeed;
+            float3 nose = math.rotate(clip.Attitude, new float3(0f, 0f, 1f));
+
+            Assert.That(math.distance(math.rotate(clip.Attitude, clip.Velocity) * bake.MetresPerUnit, top * new float3(0f, climb, speed)),
+                Is.LessThan(1e-4f));
+            Assert.That(math.abs(nose.x) + math.abs(nose.y - math.sin(math.radians(pitch))), Is.LessThan(1e-5f), "nose up by its pitch");
+        }
+
         [Test]
         public void ErrorsBetweenFrames_AreThoseOfTheFramesOfABakeTwiceAsFine()
         {

@@ -275,6 +275,29 @@ namespace Alate.Tests.Crowds
         }
 
         [Test]
+        public void TheEndsOfEachRange_AreWithinIt()
+        {
+            CrowdPose[] poses = { CrowdPose.At(default, quaternion.identity), CrowdPose.At(default, quaternion.identity) };
+            foreach (Edit edit in new Edit[]
+            {
+                (ref CrowdCullJob job) => job.sizeCount = 1,
+                (ref CrowdCullJob job) => job.sizeCount = CrowdCullJob.MaxSizes,
+                (ref CrowdCullJob job) => (job.hidden, job.hiddenCount) = (Empty<int>(0), 0),
+                (ref CrowdCullJob job) => (job.hidden, job.hiddenCount) = (Empty<int>(2), 2),
+                (ref CrowdCullJob job) => job.loops = Empty<LoopRows>(1),
+                (ref CrowdCullJob job) => job.sizes = Empty<byte>(2),
+                (ref CrowdCullJob job) => job.counts = Empty<int>(CrowdCullJob.MaxSizes),
+                (ref CrowdCullJob job) => job.seen = Empty<int>(2),
+                (ref CrowdCullJob job) => job.order = Keep(new CrowdOrder(1)),
+            })
+            {
+                CrowdCullJob job = CullJob(poses, 1);
+                edit(ref job);
+                Assert.That(() => job.Validate(), Throws.Nothing);
+            }
+        }
+
+        [Test]
         public void EachFieldOfACallOutOfRange_IsNamed()
         {
             var pose = CrowdPose.At(default, quaternion.identity);

@@ -136,6 +136,21 @@ namespace Alate.Tests.Crowds
             Assert.That(() => job.Validate(3), Throws.ArgumentException.With.Message.StartsWith("SpawnJob.turned is"));
         }
 
+        [Test]
+        public void TheEndsOfEachRange_AreWithinIt()
+        {
+            using var poses = new NativeArray<CrowdPose>(3, Allocator.Persistent);
+            SpawnJob job = Job(0f);
+            job.poses = poses;
+            job.half = default;
+            job.speed = 0f;
+            job.speeds = default;
+            job.sizes = 0f;
+            job.loop = 0;
+            Assert.That(() => job.Validate(3), Throws.Nothing);
+            Assert.That(() => job.Validate(0), Throws.Nothing);
+        }
+
         private delegate void Edit(ref SpawnJob job);
 
         [Test]

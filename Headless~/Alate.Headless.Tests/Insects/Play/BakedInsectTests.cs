@@ -1,7 +1,9 @@
 using System.Collections.Generic;
 using System.Linq;
+using System.Text.RegularExpressions;
 using Alate.Catalogue;
 using Alate.Crowds;
+using Alate.Tests.Architecture;
 using NUnit.Framework;
 using Unity.Mathematics;
 using UnityEngine;
@@ -57,6 +59,17 @@ namespace Alate.Tests.Play.Headless
 
             Assert.That(baked.TextureBytes, Is.EqualTo(8L * baked.Texture.width * baked.Texture.height));
             Assert.That((baked.Texture.filterMode, baked.Texture.wrapMode), Is.EqualTo((FilterMode.Point, TextureWrapMode.Clamp)));
+        }
+
+        [Test]
+        public void MeshesHaveAboutTheTrianglesThatAreAskedFor_UnlessAskedTheManuals()
+        {
+            Match named = Regex.Match(ManualPages.Text("Documentation~/crowds.md"), @"meshes of about ([\d,]+), ([\d,]+) and ([\d,]+) triangles");
+            Assert.That(BakedInsect.DefaultTriangles,
+                Is.EqualTo(named.Groups.Values.Skip(1).Select(count => int.Parse(count.Value.Replace(",", "")))));
+            Scene = new CrowdScene("monarch", 1, "rest");
+            Assert.That(Scene.Baked.Sizes.Zip(BakedInsect.DefaultTriangles, (size, asked) => (double)size.triangles / asked),
+                Is.All.InRange(0.5, 1.02));
         }
 
         [Test]

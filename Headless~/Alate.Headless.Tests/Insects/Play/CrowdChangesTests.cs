@@ -109,6 +109,26 @@ namespace Alate.Tests.Play.Headless
         }
 
         [Test]
+        public void WhatAnAssetLost_IsPassedOver_WhenItsCopiesAreFreed()
+        {
+            Scene = new CrowdScene("monarch", 1, "rest");
+            Object.DestroyImmediate(Scene.Baked.Sizes[0].mesh);
+            Unity.StandIns.BuiltPlayer.IsRunning = true;
+            try
+            {
+                Scene.Baked.FreeCopies();
+                Assert.That((Scene.Baked.Texture.isReadable, Scene.Baked.Sizes[1].mesh.isReadable), Is.EqualTo((false, false)));
+                Object.DestroyImmediate(Scene.Baked.Texture);
+                Assert.That(() => Scene.Baked.FreeCopies(), Throws.Nothing, "what is freed already, or gone");
+                Assert.That(Scene.Baked.TextureBytes, Is.Zero);
+            }
+            finally
+            {
+                Unity.StandIns.BuiltPlayer.IsRunning = false;
+            }
+        }
+
+        [Test]
         public void Crowds_RunAfterWhatWritesTheirPoses_AndBeforeWings()
         {
             int Order(Type type) => type.GetCustomAttribute<DefaultExecutionOrder>().order;

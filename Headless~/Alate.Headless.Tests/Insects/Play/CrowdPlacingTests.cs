@@ -1,5 +1,6 @@
 using System.Collections;
 using System.Linq;
+using System.Reflection;
 using Alate.Catalogue;
 using Alate.Crowds;
 using Alate.Flight;
@@ -91,6 +92,51 @@ namespace Alate.Tests.Play.Headless
             flock.enabled = false;
             Assert.That(far.GetComponentsInChildren<Renderer>().All(renderer => !renderer.forceRenderingOff), Is.True);
             Assert.That(far.Quality.keepForces, Is.False);
+        }
+
+        // Of the plane of speed ahead and climb the two nearest loops count, by their distances; those that stand still or turn never.
+        [UnityTest]
+        public IEnumerator AFarInsect_ShowsTheTwoLoopsNearestToItsVelocity_InItsOwnUnits([Values(1f, 3f)] float scale)
+        {
+            Scene = new CrowdScene("monarch", InsectVariant.Flight, 1, "rest");
+            FieldInfo field = typeof(BakedInsect).GetField("m_Loops", BindingFlags.NonPublic | BindingFlags.Instance);
+            CrowdLoop still = ((CrowdLoop[])field.GetValue(Scene.Baked))[0];
+            CrowdLoop Flown(float ahead, float up, float pitch = 0f, int frames = 8, float turn = 0f)
+            {
+                // Velocities of loops are in the body's own axes, which the attitude turns out of its heading.
+                CrowdLoop loop = still;
+                loop.frames = frames;
+                loop.attitude = Quaternion.Euler(-pitch, 0f, 0f);
+                loop.velocity = Quaternion.Inverse(loop.attitude) * new Vector3(0f, up, ahead);
+                loop.angularVelocity = new Vector3(0f, turn, 0f);
+                return loop;
+            }
+
+            CrowdLoop[] loops =
+            [
+                Flown(9f, 0f), Flown(0.1f, 0f, frames: 1), Flown(0.3f, 0.1f, 40f), Flown(0.1f, 0f, turn: -1f), Flown(7f, -2f, 10f),
+                Flown(-0.2f, 0.4f, -30f),
+            ];
+            field.SetValue(Scene.Baked, loops);
+            FlockCrowd flock = Scene.Crowd.gameObject.AddComponent<FlockCrowd>();
+            flock.Distance = 30f;
+            Scene.Camera.tag = "MainCamera";
+            Scene.Crowd.Camera = null;
+            InsectWings far = Hatch(new Vector3(0f, 0f, 60f));
+            far.transform.localScale = scale * Vector3.one;
+            yield return Frames(20);
+
+            CrowdPose pose = Scene.Crowd.Poses[0];
+            Vector3 velocity = (Vector3)far.GetComponent<FlockPilot>().Member.velocity / scale;
+            var level = new Vector2(new Vector2(velocity.x, velocity.z).magnitude, velocity.y);
+            (int loop, float away)[] order =
+            [
+                .. new[] { (0, 9f, 0f), (2, 0.3f, 0.1f), (4, 7f, -2f), (5, -0.2f, 0.4f) }
+                    .Select(loop => (loop.Item1, (new Vector2(loop.Item2, loop.Item3) - level).magnitude)).OrderBy(loop => loop.magnitude),
+            ];
+            Assert.That((flock.BakedCount, pose.scale, pose.rate), Is.EqualTo((1, scale, 0f)), "seen by the main camera");
+            Assert.That((pose.loop, pose.nextLoop), Is.EqualTo((order[0].loop, order[1].loop)), $"of {velocity}");
+            Assert.That(pose.blend, Is.EqualTo(order[0].away / (order[0].away + order[1].away)).Within(0.02f));
         }
 
         [UnityTest]

@@ -44,6 +44,22 @@ namespace Alate.Tests.Play
             Assert.That(page.Controls.Count(c => c.Kind == ControlKind.Area), Is.GreaterThanOrEqualTo(6), "nothing was drawn");
         }
 
+        // Yellow and blue are told apart with any weakness for red and green.
+        [UnityTest]
+        public IEnumerator Curves_DifferInYellowAndBlue()
+        {
+            m_Editor = UnityEditor.Editor.CreateEditor(Insect());
+            yield return Watched(120);
+            DrawnLines.Calls = new List<(Color Colour, Vector3[] Points)>();
+            DrawnInspector.Of(m_Editor);
+            Color[] curves = DrawnLines.Calls.Where(line => line.Points.Length > 2).Select(line => line.Colour).ToArray();
+            DrawnLines.Calls = null;
+
+            Assert.That(curves.Select(colour => Mathf.Sign(Mathf.Min(colour.r, colour.g) - colour.b)), Is.EqualTo(new[] { 1f, -1f }),
+                "the flap angle is yellowish, the lift bluish");
+            Assert.That(curves.Select(colour => colour.a), Is.All.EqualTo(1f));
+        }
+
         [UnityTest]
         public IEnumerator FlapAngle_SwingsAsFarAsTheWingDoes()
         {
@@ -146,6 +162,8 @@ namespace Alate.Tests.Play
             Vector3 expected = insect.AirForceOf(0) * (live.placed.length / weight);
             Assert.That(expected.magnitude, Is.GreaterThan(0f));
             Assert.That((pen.Lines[0].to - pen.Lines[0].from - expected).magnitude, Is.LessThan(1e-4f * expected.magnitude));
+            Vector3 middle = Draw(insect, GizmoLayers.Chains).Dots[2 * 5 + 2].at;
+            Assert.That((pen.Lines[0].from - middle).magnitude, Is.LessThan(1e-5f), "from the middle joint of the middle chain");
         }
 
         [UnityTest]
