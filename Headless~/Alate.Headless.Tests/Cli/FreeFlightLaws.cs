@@ -52,6 +52,19 @@ public sealed class FreeFlightLaws
         }
     }
 
+    [TestCase(0f, "PointPilot")]
+    [TestCase(0.1f, "CoursePilot")]
+    public void WhatHasATrimForHovering_StaysWhereItIs_AndWhatHasNoneSwimsAbout(float slowest, string kind)
+    {
+        using var trims = new TrimTable([slowest, 0.5f], [0f]);
+        var plan = new FreePlan { Points = [new float3(0f, 0f, 4f)] };
+
+        Assert.That(FreePilot.Hover.Create(plan, trims).GetType().Name, Is.EqualTo(kind));
+        Assert.That(FreePilot.GoTo.Create(plan, trims), Is.TypeOf<PointPilot>(), "somewhere else all fly");
+        Assert.That(FreePilot.Points.Create(plan, trims), Is.TypeOf<PointPilot>());
+        Assert.That(FreePilot.Wander.Create(plan, trims), Is.TypeOf<CoursePilot>());
+    }
+
     // Far away as fast as it may be, near by a time constant, and never so fast that it could not stop.
     [TestCase(0f, 0f, 100f)]
     [TestCase(0f, 0f, 1f)]

@@ -44,6 +44,28 @@ public sealed class SurfaceDistanceTests
         Assert.That(JointError.Percent(sixteen, shifted), Is.LessThan(0.1));
     }
 
+    // Four frames, whose heights are straight between and whose joints are the vertices; the last is followed by the first.
+    [TestCase(0.0, 0.0)]
+    [TestCase(0.1, 0.4)]
+    [TestCase(0.3, 1.2)]
+    [TestCase(0.75, 3.0)]
+    [TestCase(0.8, 2.4)]
+    [TestCase(1.0, 0.0)]
+    public void BetweenTwoFrames_AWingLiesByTheShareOfItsPhase(double turns, double height)
+    {
+        RecordedWing wing = Wing(2f, (phase, _) => new float3(0f, (float)(2.0 * phase / Math.PI), 0f), 4);
+        var joints = new float3[4];
+        wing.JointsAt(turns, joints);
+        (float3[] positions, float3[] normals) = wing.At(turns);
+        for (int k = 0; k < 4; k++)
+        {
+            float3 place = wing.Rest[k] + new float3(0f, (float)height, 0f);
+            Assert.That(math.distance(joints[k], place), Is.LessThan(1e-5f));
+            Assert.That(math.distance(positions[k], wing.Placement.ToBody(place)), Is.LessThan(1e-5f));
+            Assert.That(math.length(normals[k]), Is.EqualTo(1f).Within(1e-6f));
+        }
+    }
+
     private static RecordedWing Wing(float length, Func<double, int, float3> moved, int frames = 16, double first = 0.0)
     {
         float3[] rest = [new float3(0f, 0f, 0f), new float3(1f, 0f, 0f), new float3(0.5f, 0f, -0.4f), new float3(0.2f, 0f, -0.2f)];

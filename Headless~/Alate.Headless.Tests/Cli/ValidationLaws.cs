@@ -59,6 +59,19 @@ public sealed class ValidationLaws
                 Math.Abs(a.Item1 - b.Item1) + Math.Abs(a.Item2 - b.Item2) < 1e-9 && double.IsNaN(a.Item3) == double.IsNaN(b.Item3)));
     }
 
+    // A light beam droops by an eighth of its weight, q L⁴ / 8 E I; hinges in place of a curve are within three hundredths of it.
+    [Test]
+    public void ALightStrip_DroopsByAnEighthOfItsWeight_PerCentOfItsLength()
+    {
+        ValidationRow row = StructureRows.Droops(() => { }).First();
+
+        Assert.That(row.Title, Does.Contain("under a weight of 0.016 EI/L²"));
+        Assert.That((row.Low + row.High) / 2, Is.EqualTo(100 * 0.016 / 8).Within(0.5).Percent);
+        Assert.That((row.High - row.Low) / (row.High + row.Low), Is.EqualTo(0.03).Within(1e-6));
+        Assert.That(row.Ours, Is.InRange(row.Low, row.High));
+        Assert.That(row.Fine, Is.InRange(row.Low, row.High));
+    }
+
     // Places within a tenth of a beat of the middle, over the end of the beat too.
     [TestCase(0.44, new[] { 4, 5 })]
     [TestCase(0.5, new[] { 4, 5, 6 })]

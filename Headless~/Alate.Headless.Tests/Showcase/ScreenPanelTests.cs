@@ -21,6 +21,7 @@ public sealed class ScreenPanelTests : PlayFixture
         if (m_Mouse != null)
             InputSystem.RemoveDevice(m_Mouse);
         m_Mouse = null;
+        Unity.StandIns.ShownScreen.Dpi = 96f;
     }
 
     [UnityTest]
@@ -137,6 +138,51 @@ public sealed class ScreenPanelTests : PlayFixture
             yield return Frames(2);
             Assert.That(orbit.Yaw - yaw, Is.EqualTo(from == slider ? 0f : 60f).Within(1e-3f), "0.3 degrees a pixel");
         }
+    }
+
+    // Steps of one half, so that lines stay sharp; never below one.
+    [UnityTest]
+    public IEnumerator OnAFineScreen_ThePanelIsAsLarge_AndThePointerMeetsWhatIsDrawn(
+        [Values(0f, 72f, 96f, 130f, 192f, 460f)] float dpi, [Values] bool bySystem)
+    {
+        Unity.StandIns.ShownScreen.Dpi = dpi;
+        float scale = Mathf.Max(1f, Mathf.Round(dpi / 48f) / 2f);
+        TriedPanel shown = Show();
+        yield return Frames(2);
+        Assert.That(ScreenPanel.Covers(scale * new Vector2(289f, 20f)), Is.True);
+        Assert.That(ScreenPanel.Covers(scale * new Vector2(291f, 20f)), Is.False, "280 units beside a margin of 10");
+        Rect slider = DrawnScreen.Controls.Single(control => control.Kind == ControlKind.Field).Place;
+        Point(bySystem, scale * slider.center, true);
+        yield return Frames(1);
+        Point(bySystem, scale * new Vector2(Mathf.Lerp(slider.xMin, slider.xMax, 0.75f), slider.center.y), true);
+        yield return Frames(1);
+        Assert.That(shown.Speed, Is.EqualTo(3.5f).Within(1e-4f));
+        Point(bySystem, slider.center, false);
+        yield return Frames(1);
+    }
+
+    [UnityTest]
+    public IEnumerator APanelThatWentWhileItsSliderWasHeld_TakesNothingOfALaterPress([Values] bool bySystem)
+    {
+        TriedPanel gone = Show();
+        yield return Frames(2);
+        Rect slider = DrawnScreen.Controls.Single(control => control.Kind == ControlKind.Field).Place;
+        TriedPanel other = Show();
+        Point(bySystem, slider.center, true);
+        yield return Frames(2);
+        float speed = gone.Speed;
+        gone.enabled = false;
+        Point(bySystem, slider.center, false);
+        yield return Frames(2);
+        Point(bySystem, new Vector2(900f, 500f), true);
+        yield return Frames(2);
+        gone.enabled = true;
+        Point(bySystem, new Vector2(slider.xMax, slider.center.y), true);
+        yield return Frames(2);
+        Assert.That(gone.Speed, Is.EqualTo(speed));
+        Point(bySystem, slider.center, false);
+        yield return Frames(2);
+        Assert.That(other.enabled, Is.True);
     }
 
     // One panel is drawn after the other: in between, what the other covers is still covered.

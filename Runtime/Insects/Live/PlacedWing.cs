@@ -34,10 +34,13 @@ namespace Alate
             length = math.length(drawnSpan) * frame.length;
 
             span = math.normalizesafe(drawnSpan);
-            // A flat mesh that is scaled to nothing across its surface is still a wing: its normal is that of what is left.
+            // A flat mesh that is scaled to nothing across its surface is still a wing: its normal is that of what is left, on the side on
+            // which the frame has it.
             float3 across = math.cross(drawnForward, drawnSpan);
-            float side = math.sign(math.dot(across, drawnUp));
-            up = math.normalizesafe(side == 0f ? across : side * across);
+            float side = math.dot(across, drawnUp);
+            if (side == 0f)
+                side = math.dot(math.cross(frame.axes.c2, frame.axes.c0), frame.axes.c1);
+            up = math.normalizesafe(math.sign(side) * across);
             float3 third = math.cross(span, up);
             forward = math.dot(third, drawnForward) < 0f ? -third : third;
             isValid = length > k_LeastLength && math.lengthsq(up) > 0.5f && math.all(math.isfinite(hinge)) && math.isfinite(length);

@@ -60,7 +60,14 @@ namespace Alate.Tests
         {
             WingFrame frame = Frame(false);
             Assert.That(Scaled(1f, 0f, 1f).isValid, "flat: its normal is that of what is left");
-            Assert.That(math.abs(Scaled(1f, 0f, 1f).up.y), Is.EqualTo(1f).Within(1e-5f));
+            foreach (bool left in new[] { false, true })
+            {
+                var flat = new PlacedWing(Matrix4x4.Scale(new Vector3(1f, 0f, 1f)), Frame(left));
+                var thin = new PlacedWing(Matrix4x4.Scale(new Vector3(1f, 1e-3f, 1f)), Frame(left));
+                Assert.That(math.distance(flat.up, thin.up), Is.LessThan(0.01f), "it keeps its upper side");
+                Assert.That(math.distance(flat.forward, thin.forward), Is.LessThan(0.01f));
+            }
+
             Assert.That(Scaled(0f, 1f, 1f).isValid, Is.False);
             Assert.That(Scaled(1f, 1f, 0f).isValid, Is.False);
             Assert.That(Scaled(float.NaN, 1f, 1f).isValid, Is.False);

@@ -1,5 +1,6 @@
 using System;
 using System.Collections;
+using System.Reflection;
 using System.Text.RegularExpressions;
 using Alate.Flight;
 using NUnit.Framework;
@@ -158,6 +159,32 @@ namespace Alate.Tests.Play
             flight.Trims = trims;
             yield return Frames(30);
             Assert.That((flight.Problem, flight.State), Is.EqualTo((FlightProblem.None, FlightState.Flying)));
+        }
+
+        // A play that begins in the frame and at the time in which the last one looked, as without a reload of the domain.
+        [UnityTest]
+        public IEnumerator AFlock_LooksOnceAStep_AndForgetsAllAtTheEndOfAPlay()
+        {
+            var pilots = new FlockPilot[2];
+            for (int k = 0; k < 2; k++)
+            {
+                InsectFlight flight = Hatch();
+                flight.transform.position = new Vector3(0.5f * k, 0f, 0f);
+                pilots[k] = flight.gameObject.AddComponent<FlockPilot>();
+            }
+
+            yield return Frames(10);
+            Flock.Update();
+            Assert.That(System.Array.ConvertAll(pilots, pilot => pilot.NeighbourCount), Is.EqualTo(new[] { 1, 1 }));
+            pilots[0].View = default;
+            Flock.Update();
+            Assert.That(pilots[0].NeighbourCount, Is.Zero, "once a step");
+            typeof(Flock).GetMethod("Forget", BindingFlags.NonPublic | BindingFlags.Static).Invoke(null, null);
+            Assert.That(Flock.Pilots, Is.Empty);
+            foreach (FlockPilot pilot in pilots)
+                Flock.Enter(pilot);
+            Flock.Update();
+            Assert.That(pilots[0].NeighbourCount, Is.EqualTo(1), "it looks again");
         }
 
         [UnityTest]

@@ -23,6 +23,7 @@ namespace Alate.Tests.Play
             Assert.That(seen.y, Is.EqualTo(0.5f).Within(1e-4f));
             Assert.That(seen.z, Is.EqualTo(4f).Within(1e-4f));
             Assert.That(orbit.transform.up.y, Is.GreaterThan(0f), "the picture stands on its head");
+            Assert.That(orbit.transform.right.y, Is.Zero.Within(1e-5f), "the horizon is level");
             Assert.That(
                 Mathf.Sign(orbit.transform.position.y - target.y), Is.EqualTo(Mathf.Sign(pitch)), "a camera that looks down is above");
         }

@@ -151,5 +151,5 @@ public sealed class Screen
 {
     public static int width => 1920;
     public static int height => 1080;
-    public static float dpi => 96f;
+    public static float dpi => Unity.StandIns.ShownScreen.Dpi;
 }
