@@ -13,7 +13,7 @@ namespace Alate.Proof
         private const float k_FrameTime = 1f / 60f, k_SpeedShare = 0.5f, k_ClimbShare = 0.2f, k_Aid = 0.5f;
 
         /// <summary>Distance that is allowed, m and m/s: the feedback holds flights together that began a bit apart.</summary>
-        private const float k_Allowed = 5e-3f;
+        private const float k_Allowed = 2e-4f;
 
         private static readonly string[] s_Things = { "place", "velocity", "nose", "back" };
         private static readonly float3 s_Gust = new float3(0.4f, 0f, -0.3f);

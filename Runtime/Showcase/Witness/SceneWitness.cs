@@ -55,7 +55,7 @@ namespace Alate.Showcase
         // After all scripts that move cameras and insects: this is the last of a frame to draw.
         private void LateUpdate()
         {
-            if (IsDone || m_Times.Length == 0)
+            if (m_Account.pictures == m_Times.Length)
                 return;
             m_Time += Time.deltaTime;
             m_FrameTime += Time.unscaledDeltaTime;
@@ -69,7 +69,7 @@ namespace Alate.Showcase
 
         private void Take()
         {
-            string name = string.Format(CultureInfo.InvariantCulture, "{0} {1:00} s.png", m_SceneName, m_Times[m_Account.pictures]);
+            string name = string.Format(CultureInfo.InvariantCulture, "{0} {1:00.#} s.png", m_SceneName, m_Times[m_Account.pictures]);
             m_Account.pictures++;
             Camera eye = Camera.main != null ? Camera.main : FindAnyObjectByType<Camera>();
             if (eye == null)

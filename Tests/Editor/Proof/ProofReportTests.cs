@@ -101,7 +101,8 @@ namespace Alate.Editor.Tests
                 Assert.That(ProofArguments.Find(arguments.ToArray(), ProofArguments.Out), Is.EqualTo("/out"));
             }
 
-            string[] tests = ProofStep.All.Where(step => step.IsTests).SelectMany(step => step.Arguments("/project", options, "urp")).ToArray();
+            string[] tests = ProofStep.All.Where(step => step.IsTests)
+                .SelectMany(step => step.Arguments("/project", options, "urp")).ToArray();
             Assert.That(tests, Is.SupersetOf(new[] { "EditMode", "PlayMode" }));
             Assert.That(tests, Is.All.Not.EqualTo("-quit"));
         }

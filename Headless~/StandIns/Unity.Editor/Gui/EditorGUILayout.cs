@@ -203,7 +203,7 @@ public sealed partial class EditorGUILayout
     public static Vector2 Vector2Field(GUIContent label, Vector2 value, params GUILayoutOption[] options) => Field(label, value);
     public static Vector3 Vector3Field(string label, Vector3 value, params GUILayoutOption[] options) => throw Absent.Editor;
     public static Vector3 Vector3Field(GUIContent label, Vector3 value, params GUILayoutOption[] options) => throw Absent.Editor;
-    public static string TextField(string label, string text, params GUILayoutOption[] options) => throw Absent.Editor;
+    public static string TextField(string label, string text, params GUILayoutOption[] options) => Field(new GUIContent(label), text);
     public static string TextField(GUIContent label, string text, params GUILayoutOption[] options) => throw Absent.Editor;
     public static void PrefixLabel(string label) => throw Absent.Editor;
     public static void PrefixLabel(GUIContent label) => throw Absent.Editor;
