@@ -37,7 +37,8 @@ namespace Alate.Editor
         private readonly InsectFix m_Find = new FindWingsFix();
         private readonly InsectFix m_LayOut = new LayOutSkeletonFix(LayOutSkeletonFix.Fit, AssetPath.Ask);
 
-        private SerializedProperty m_Preset, m_Wings, m_UpdateMode, m_StartPhase, m_Steering, m_Motion, m_Air, m_Quality, m_OnWingBeat;
+        private SerializedProperty m_Preset, m_Wings, m_UpdateMode, m_StartPhase, m_Steering, m_Motion, m_Air, m_Quality, m_Preview,
+            m_OnWingBeat;
         private InsectWings[] m_Insects;
 
         private void OnEnable()
@@ -51,6 +52,7 @@ namespace Alate.Editor
             m_Motion = serializedObject.FindProperty("m_Motion");
             m_Air = serializedObject.FindProperty("m_Air");
             m_Quality = serializedObject.FindProperty("m_Quality");
+            m_Preview = serializedObject.FindProperty("m_Preview");
             m_OnWingBeat = serializedObject.FindProperty("m_OnWingBeat");
             EditorApplication.update += RepaintWhileLive;
         }
@@ -81,6 +83,7 @@ namespace Alate.Editor
             EditorGUILayout.PropertyField(m_Motion);
             EditorGUILayout.PropertyField(m_Air);
             EditorGUILayout.PropertyField(m_Quality);
+            EditorGUILayout.PropertyField(m_Preview);
             if (m_EventSection.Draw())
                 EditorGUILayout.PropertyField(m_OnWingBeat);
             if (m_GizmoSection.Draw())

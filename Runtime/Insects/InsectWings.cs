@@ -48,6 +48,9 @@ namespace Alate
         [SerializeField]
         private InsectQuality m_Quality = InsectQuality.Default;
 
+        [SerializeField]
+        private InsectPreview m_Preview;
+
         // Found, not chosen: it must not follow into a clone, nor stay when the insect changes its carrier.
         private Rigidbody m_Carrier;
 
@@ -89,6 +92,9 @@ namespace Alate
         /// <summary>Fineness of the computation.</summary>
         public ref InsectQuality Quality => ref m_Quality;
 
+        /// <summary>Pose that the editor shows while the game does not play.</summary>
+        public ref InsectPreview Preview => ref m_Preview;
+
         /// <summary>Velocity of the body, world units per second, with <see cref="VelocitySource.Script"/>.</summary>
         public Vector3 Velocity { get; set; }
 
@@ -100,6 +106,9 @@ namespace Alate
 
         /// <summary>State together with the remedy.</summary>
         public InsectProblem Problem { get; private set; }
+
+        /// <summary>Raised in the editor when an insect was loaded or edited.</summary>
+        internal static event Action<InsectWings> Validated;
 
         internal LiveInsect Live { get; set; }
 
@@ -221,6 +230,7 @@ namespace Alate
             m_Steering = m_Steering.Clamped();
             m_Motion = m_Motion.Clamped();
             m_Quality = m_Quality.Clamped();
+            Validated?.Invoke(this);
         }
     }
 }

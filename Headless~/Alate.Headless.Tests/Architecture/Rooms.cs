@@ -177,6 +177,7 @@ namespace Alate.Tests.Architecture
                     ["Gizmos"] = [],
                     ["Live"] = [],
                     ["Making"] = [],
+                    ["Preview"] = [],
                     ["Skeletons"] = [],
                     ["Fixes"] = ["Skeletons"],
                     ["Presets"] = ["Fixes"],

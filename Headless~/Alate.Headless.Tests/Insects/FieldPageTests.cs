@@ -22,6 +22,7 @@ namespace Alate.Tests
             (typeof(InsectAir), "insect-wings", "Air"),
             (typeof(InsectQuality), "insect-wings", "Quality"),
             (typeof(ScreenHeights), "insect-wings", "Quality"),
+            (typeof(InsectPreview), "animation", "Scrub without playing"),
             (typeof(PresetKinematics), "wing-preset", "Kinematics"),
             (typeof(PresetRest), "wing-preset", "Rest"),
             (typeof(WanderSettings), "pilots", "Wander"),

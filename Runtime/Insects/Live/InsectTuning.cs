@@ -1,3 +1,5 @@
+using UnityEngine;
+
 namespace Alate
 {
     /// <summary>
@@ -27,12 +29,16 @@ namespace Alate
         /// <summary>Returns true where two change parameters alike.</summary>
         public bool SameAs(in InsectTuning other) => m_Substeps == other.m_Substeps && m_Steering.Equals(other.m_Steering);
 
-        /// <summary>Changes a preset's parameters.</summary>
-        public void Apply(ref WingParameters parameters)
+        /// <summary>Parameters of a wing: the preset's, changed by its own sliders and by these settings, in their ranges.</summary>
+        public WingParameters ParametersOf(PresetValues values, Wing wing)
         {
+            WingParameters parameters = values.parameters;
+            parameters.amplitudeScale *= wing.AmplitudeScale;
+            parameters.phaseLead += Mathf.Deg2Rad * wing.PhaseLead;
             m_Steering.Apply(ref parameters);
             if (m_Substeps > 0)
                 parameters.substepsPerBeat = m_Substeps;
+            return parameters.Clamped();
         }
     }
 }

@@ -116,11 +116,7 @@ namespace Alate
                 return false;
             }
 
-            parameters = values.parameters;
-            parameters.amplitudeScale *= amplitude;
-            parameters.phaseLead += lead;
-            tuning.Apply(ref parameters);
-            parameters = parameters.Clamped();
+            parameters = tuning.ParametersOf(values, m_Wing);
             return true;
         }
     }

@@ -13,6 +13,18 @@ public class Graphics
             throw new System.ArgumentNullException(nameof(mesh));
     }
 
+    public static void RenderMesh(
+        in RenderParams rparams, Mesh mesh, int submeshIndex, Matrix4x4 objectToWorld, Matrix4x4? prevObjectToWorld = null)
+    {
+        if (mesh == null)
+            throw new System.ArgumentNullException(nameof(mesh));
+        if (rparams.material == null)
+            throw new System.ArgumentNullException(nameof(rparams), "There is no material.");
+        if (submeshIndex < 0 || submeshIndex >= mesh.subMeshCount)
+            throw new System.IndexOutOfRangeException("submeshIndex out of range");
+        DrawnInstances.Note(rparams, mesh, submeshIndex, objectToWorld);
+    }
+
     public static void RenderMeshInstanced<T>(
         RenderParams rparams, Mesh mesh, int submeshIndex, NativeArray<T> instanceData, int instanceCount = -1, int startInstance = 0)
             where T : unmanaged

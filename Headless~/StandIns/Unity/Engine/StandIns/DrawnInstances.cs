@@ -24,6 +24,9 @@ public static class DrawnInstances
     /// <summary>Calls since it was set; null keeps none.</summary>
     public static List<DrawnBatch> Calls { get; set; }
 
+    internal static void Note(in RenderParams parameters, Mesh mesh, int submesh, Matrix4x4 place) =>
+        Calls?.Add(new DrawnBatch(mesh, submesh, parameters, [place], null, new Dictionary<string, Vector4[]>()));
+
     internal static void Note<T>(in RenderParams parameters, Mesh mesh, int submesh, NativeArray<T> instances, int count, int start)
         where T : unmanaged
     {

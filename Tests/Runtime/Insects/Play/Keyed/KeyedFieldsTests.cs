@@ -28,6 +28,8 @@ namespace Alate.Tests.Play
             ["InsectWings.m_Wings[0].m_Side"] = "checked when the insect starts to live, and on a change of the list",
             ["InsectWings.m_Wings[0].m_Pair"] = "which wing leads, where there are four",
             ["InsectWings.m_Wings[0].m_IsFilledIn"] = "of the editor",
+            ["InsectWings.m_Preview.shows"] = "of the editor, while the game does not play",
+            ["InsectWings.m_Preview.beat"] = "of the editor, while the game does not play",
             ["InsectFlight.m_Parts[0].share"] = "taken over when the flight starts",
             ["InsectFlight.m_Parts[0].centre"] = "taken over when the flight starts",
             ["InsectFlight.m_Parts[0].halfAxes"] = "taken over when the flight starts",
