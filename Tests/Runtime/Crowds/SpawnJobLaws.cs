@@ -143,8 +143,7 @@ namespace Alate.Tests.Crowds
             SpawnJob job = Job(0f);
             job.poses = poses;
             job.half = default;
-            job.speed = 0f;
-            job.speeds = default;
+            job.turned = job.turnedMore = default;
             job.sizes = 0f;
             job.loop = 0;
             Assert.That(() => job.Validate(3), Throws.Nothing);
