@@ -17,7 +17,7 @@ namespace Alate.Tests.Play
     {
         private const string k_First = "[0]";
 
-        /// <summary>Components of the package that play.</summary>
+        /// <summary>Components of the package that users can add, and so key.</summary>
         /// <param name="assemblies">Chooses assemblies by name.</param>
         public static IEnumerable<Type> Components(Func<string, bool> assemblies)
         {
@@ -32,7 +32,7 @@ namespace Alate.Tests.Play
                 .Where(assembly => assembly.GetName().Name.StartsWith("Alate") && assemblies(assembly.GetName().Name))
                 .Where(assembly => assembly.GetReferencedAssemblies().All(used => used.Name != "nunit.framework"))
                 .SelectMany(assembly => assembly.GetTypes())
-                .Where(type => typeof(MonoBehaviour).IsAssignableFrom(type) && !type.IsAbstract)
+                .Where(type => typeof(MonoBehaviour).IsAssignableFrom(type) && type.IsPublic && !type.IsAbstract)
                 .OrderBy(type => type.Name);
         }
 
