@@ -8,6 +8,9 @@ namespace Alate.Proof
     /// <summary>One start of an editor in the project of a proof, and the claims that it decides.</summary>
     internal sealed class ProofStep
     {
+        /// <summary>Has Burst compile a job before it runs for the first time, not beside it.</summary>
+        private const string k_Synchronous = "--burst-force-sync-compilation";
+
         private readonly string m_Method, m_Platform;
         private readonly Func<string, IEnumerable<string>> m_Claims;
 
@@ -60,7 +63,7 @@ namespace Alate.Proof
                 : new[]
                 {
                     "-executeMethod", $"{typeof(ProofSteps).FullName}.{m_Method}", ProofArguments.Out, options.Out,
-                    ProofArguments.Pipeline, pipeline, ProofArguments.Package, options.Package,
+                    ProofArguments.Pipeline, pipeline, ProofArguments.Package, options.Package, k_Synchronous,
                 });
         }
 
