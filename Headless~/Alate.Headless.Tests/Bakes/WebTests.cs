@@ -1,11 +1,9 @@
 using System;
 using System.Collections.Generic;
-using System.Diagnostics;
 using System.IO;
 using System.Linq;
 using System.Runtime.InteropServices;
 using System.Text.Json;
-using System.Text.RegularExpressions;
 using Alate.Cli;
 using Alate.Tests.Views;
 using NUnit.Framework;
@@ -18,8 +16,6 @@ namespace Alate.Tests.Bakes
     /// </summary>
     public sealed class WebTests
     {
-        private const int k_Seconds = 120;
-
         [Test, Explicit, Category("Long")]
         public void TenThousandInsects_ArePlayedByAVertexShader()
         {
@@ -33,7 +29,7 @@ namespace Alate.Tests.Bakes
             string source = File.ReadAllText(
                 Path.Combine(PackageRoot.Find(), "Headless~", "Alate.Headless.Tests", "Bakes", "Web", "vat.html"));
             File.WriteAllText(page, source.Replace("/*DATA*/", Data(folder, vat, side, probes)));
-            JsonElement result = Run(page, folder);
+            JsonElement result = WebTools.Show(page, folder);
 
             Assert.That(result.GetProperty("error").ToString(), Is.EqualTo("0"));
             Assert.That(result.GetProperty("count").GetInt32(), Is.EqualTo(side * side));
@@ -49,27 +45,6 @@ namespace Alate.Tests.Bakes
                     Assert.That(math.distance(played, wanted[vertex]), Is.LessThan(5e-5f), $"metres, insect {probes[probe]}");
                 }
             }
-        }
-
-        private static JsonElement Run(string page, string folder)
-        {
-            var start = new ProcessStartInfo(WebTools.Chromium) { RedirectStandardOutput = true, RedirectStandardError = true };
-            string[] arguments =
-            {
-                "--user-data-dir=" + Path.Combine(folder, "profile"),
-                "--virtual-time-budget=20000", "--dump-dom", "file://" + page,
-            };
-            foreach (string argument in WebTools.Options.Concat(arguments))
-                start.ArgumentList.Add(argument);
-
-            using var browser = Process.Start(start);
-            browser.ErrorDataReceived += (_, _) => { };
-            browser.BeginErrorReadLine();
-            string shown = browser.StandardOutput.ReadToEnd();
-            Assert.That(browser.WaitForExit(1000 * k_Seconds), Is.True);
-            Match result = Regex.Match(shown, "<pre id=\"result\">(.*?)</pre>", RegexOptions.Singleline);
-            Assert.That(result.Success, Is.True, shown.Length > 500 ? shown[..500] : shown);
-            return JsonDocument.Parse(result.Groups[1].Value).RootElement;
         }
 
         private static string Data(string folder, VatReader vat, int side, int[] probes)

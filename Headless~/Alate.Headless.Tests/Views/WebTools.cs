@@ -2,6 +2,8 @@ using System;
 using System.Diagnostics;
 using System.IO;
 using System.Linq;
+using System.Text.Json;
+using System.Text.RegularExpressions;
 using System.Threading.Tasks;
 using Alate.Cli;
 using NUnit.Framework;
@@ -13,6 +15,8 @@ namespace Alate.Tests.Views
     /// </summary>
     internal static class WebTools
     {
+        private const int k_Seconds = 120;
+
         public const string Chromium = "/usr/bin/chromium";
 
         /// <summary>Chromium's options for WebGL 2 without a screen or a graphics card.</summary>
@@ -55,6 +59,30 @@ namespace Alate.Tests.Views
             {
                 Assert.Ignore("node is not installed.");
             }
+        }
+
+        /// <summary>Opens a page in Chromium and reads what it writes into its element "result".</summary>
+        /// <param name="page">Path of the page.</param>
+        /// <param name="folder">Folder for what the browser keeps.</param>
+        public static JsonElement Show(string page, string folder)
+        {
+            var start = new ProcessStartInfo(Chromium) { RedirectStandardOutput = true, RedirectStandardError = true };
+            string[] arguments =
+            {
+                "--user-data-dir=" + Path.Combine(folder, "profile"),
+                "--virtual-time-budget=20000", "--dump-dom", "file://" + page,
+            };
+            foreach (string argument in Options.Concat(arguments))
+                start.ArgumentList.Add(argument);
+
+            using var browser = Process.Start(start);
+            browser.ErrorDataReceived += (_, _) => { };
+            browser.BeginErrorReadLine();
+            string shown = browser.StandardOutput.ReadToEnd();
+            Assert.That(browser.WaitForExit(1000 * k_Seconds), Is.True);
+            Match result = Regex.Match(shown, "<pre id=\"result\">(.*?)</pre>", RegexOptions.Singleline);
+            Assert.That(result.Success, Is.True, shown.Length > 500 ? shown[..500] : shown);
+            return JsonDocument.Parse(result.Groups[1].Value).RootElement;
         }
 
         /// <summary>Runs a script of the folder.</summary>

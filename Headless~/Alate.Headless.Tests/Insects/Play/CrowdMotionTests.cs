@@ -18,7 +18,11 @@ namespace Alate.Tests.Play.Headless
         private RenderPipelineAsset m_Pipeline;
 
         [SetUp]
-        public void UseAPipeline() => GraphicsSettings.defaultRenderPipeline = m_Pipeline = ScriptableObject.CreateInstance<SomePipeline>();
+        public void UseAPipeline()
+        {
+            m_Pipeline = ScriptableObject.CreateInstance<UniversalRenderPipelineAsset>();
+            GraphicsSettings.defaultRenderPipeline = m_Pipeline;
+        }
 
         [TearDown]
         public void UseTheBuiltInPipeline()
@@ -128,10 +132,6 @@ namespace Alate.Tests.Play.Headless
                 pose.blend = 0.3f;
                 poses[insect] = pose;
             }
-        }
-
-        private sealed class SomePipeline : RenderPipelineAsset
-        {
         }
     }
 }
