@@ -135,6 +135,9 @@ public sealed class LetteringLaws
         }
 
         Assert.That(cut.Keys, Is.All.InRange(0, size.x * size.y - 1));
+        Dictionary<int, float> back = Pen.Cover(size, [.. way.Reverse()], 1.2f);
+        Assert.That(back.Keys, Is.EquivalentTo(cut.Keys), "whichever way the pen goes");
+        Assert.That(back.Keys.Select(pixel => back[pixel] - cut[pixel]), Is.All.Zero.Within(1e-4f));
         for (int k = 0; k + 1 < way.Length; k++)
         {
             foreach ((int pixel, float covered) in Pen.Cover(size, [way[k], way[k + 1]], 1.2f))

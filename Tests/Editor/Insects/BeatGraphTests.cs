@@ -36,6 +36,20 @@ namespace Alate.Editor.Tests
         }
 
         [Test]
+        public void Scale_NarrowsByAFiftiethOfTheWayEachTime_AtBothEnds()
+        {
+            var scale = new GraphScale();
+            scale.Fit(-5f, 9f, 0.1f);
+            for (int look = 0; look < 34; look++)
+                scale.Fit(-1f, 1f, 0.1f);
+
+            // (49 / 50)³⁴ is half, but for three thousandths.
+            Assert.That(new[] { scale.Low, scale.High }, Is.EqualTo(new[] { -3f, 5f }).Within(0.05f));
+            scale.Fit(3f, 4f, 0.1f);
+            Assert.That(scale.Place(0f), Is.GreaterThan(0f), "nothing is cut off");
+        }
+
+        [Test]
         public void Scale_IsNeverEmpty()
         {
             var scale = new GraphScale();

@@ -28,6 +28,19 @@ namespace Alate.Editor.Tests
             Assert.That(After(ref peak, 0.1, 0.01f), Is.EqualTo(0.01f), "of a wing that has started over");
         }
 
+        [Test]
+        public void AValueThatIsNoNumber_DoesNotHideTheLargest_AndTextsArePerCent()
+        {
+            var peak = new RecentPeak();
+            After(ref peak, 3.0, 0.2f);
+            Assert.That(After(ref peak, 3.5, float.NaN), Is.EqualTo(0.2f));
+            Assert.That(After(ref peak, 4.0, 0.1f), Is.EqualTo(0.2f), "just a beat");
+            Assert.That(LiveNumbers.Stretch(0.03f), Is.EqualTo("3 %"));
+            Assert.That(LiveNumbers.Overstretched(0.101f), Is.Not.Null);
+            Assert.That(LiveNumbers.Lift(default), Is.EqualTo("—"));
+            Assert.That(LiveNumbers.Lift(new[] { new BeatSample(0.0, 0f, 0.666f) }), Is.EqualTo("0.67 of the weight"));
+        }
+
         private static float After(ref RecentPeak peak, double beat, float value)
         {
             peak.Add(beat, value);

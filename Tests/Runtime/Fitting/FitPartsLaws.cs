@@ -225,6 +225,26 @@ namespace Alate.Tests
             Assert.That(boundary.junctions, Is.EqualTo(isCut ? new[] { (0, 3) } : new (int, int)[0]));
         }
 
+        // One large triangle below two small ones that share half of its side each, from either end and along each axis.
+        [Test]
+        public void AVertexOnALongSide_CutsIt_WhicheverWayTheSideRuns([Values(0, 1, 2)] int axis, [Values(-1f, 1f)] float way)
+        {
+            float3 Place(float along, float across)
+            {
+                float3 place = 0f;
+                place[axis] = way * along;
+                place[(axis + 1) % 3] = across;
+                return place;
+            }
+
+            float3[] points = { Place(0f, 0f), Place(2f, 0f), Place(0.9f, -0.5f), Place(1f, 0f), Place(0.5f, 0.4f), Place(1.5f, 0.4f) };
+            var boundary = new SheetBoundary(points, new[] { new int3(0, 1, 2), new int3(0, 3, 4), new int3(3, 1, 5) }, 0.01f);
+
+            Assert.That(boundary.edges.Select(edge => (math.min(edge.A, edge.B), math.max(edge.A, edge.B))),
+                Is.EquivalentTo(new[] { (0, 2), (1, 2), (0, 4), (3, 4), (3, 5), (1, 5) }), "the halves of the long side are closed");
+            Assert.That(boundary.junctions.Select(junction => junction.B), Is.EqualTo(new[] { 3 }));
+        }
+
         [Test]
         public void AWalk_GoesCounterclockwiseRoundTheOutside_AndNamesHoles()
         {

@@ -64,7 +64,8 @@ namespace Alate.Tests.Play.Headless
         [Test]
         public void MeshesHaveAboutTheTrianglesThatAreAskedFor_UnlessAskedTheManuals()
         {
-            Match named = Regex.Match(ManualPages.Text("Documentation~/crowds.md"), @"meshes of about ([\d,]+), ([\d,]+) and ([\d,]+) triangles");
+            Match named = Regex.Match(
+                ManualPages.Text("Documentation~/crowds.md"), @"meshes of about ([\d,]+), ([\d,]+) and ([\d,]+) triangles");
             Assert.That(BakedInsect.DefaultTriangles,
                 Is.EqualTo(named.Groups.Values.Skip(1).Select(count => int.Parse(count.Value.Replace(",", "")))));
             Scene = new CrowdScene("monarch", 1, "rest");

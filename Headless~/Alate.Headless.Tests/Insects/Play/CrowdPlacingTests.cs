@@ -122,7 +122,9 @@ namespace Alate.Tests.Play.Headless
             Vector3 velocity = (Vector3)far.GetComponent<FlockPilot>().Member.velocity / scale;
             float ahead = new Vector2(velocity.x, velocity.z).magnitude;
             (float Ahead, float Up)[] places =
-                [(ahead + 9f, 0f), (ahead, velocity.y), (ahead + 1f, velocity.y - 0.5f), (ahead, velocity.y), (ahead - 1f, velocity.y + 1f)];
+            [
+                (ahead + 9f, 0f), (ahead, velocity.y), (ahead + 1f, velocity.y - 0.5f), (ahead, velocity.y), (ahead - 1f, velocity.y + 1f),
+            ];
             field.SetValue(Scene.Baked, new[]
             {
                 Flown(places[0].Ahead, places[0].Up), Flown(places[1].Ahead, places[1].Up, frames: 1),
@@ -134,11 +136,11 @@ namespace Alate.Tests.Play.Headless
             CrowdPose pose = Scene.Crowd.Poses[0];
             velocity = (Vector3)far.GetComponent<FlockPilot>().Member.velocity / scale;
             var level = new Vector2(new Vector2(velocity.x, velocity.z).magnitude, velocity.y);
-            (int loop, float away)[] order =
-                [.. new[] { 0, 2, 4 }.Select(k => (k, (new Vector2(places[k].Ahead, places[k].Up) - level).magnitude)).OrderBy(k => k.magnitude)];
+            float Away(int k) => (new Vector2(places[k].Ahead, places[k].Up) - level).magnitude;
+            int[] order = [.. new[] { 0, 2, 4 }.OrderBy(Away)];
             Assert.That((flock.BakedCount, pose.scale, pose.rate), Is.EqualTo((1, scale, 0f)), "seen by the main camera");
-            Assert.That((pose.loop, pose.nextLoop), Is.EqualTo((order[0].loop, order[1].loop)), $"of {velocity}");
-            Assert.That(pose.blend, Is.EqualTo(order[0].away / (order[0].away + order[1].away)).Within(0.02f));
+            Assert.That((pose.loop, pose.nextLoop), Is.EqualTo((order[0], order[1])), $"of {velocity}");
+            Assert.That(pose.blend, Is.EqualTo(Away(order[0]) / (Away(order[0]) + Away(order[1]))).Within(0.02f));
         }
 
         [UnityTest]

@@ -60,6 +60,23 @@ namespace Alate.Tests.Play
             Assert.That(curves.Select(colour => colour.a), Is.All.EqualTo(1f));
         }
 
+        // The force is the mean over a step: half a step old; steps that a script makes have no length that is known.
+        [UnityTest]
+        public IEnumerator AForce_LiesBackByHalfAStep_InBeats()
+        {
+            InsectWings insect = Insect();
+            yield return Frames(20);
+            foreach ((WingUpdateMode mode, double step) in new[]
+            {
+                (WingUpdateMode.Update, Clocks.FrameStep), (WingUpdateMode.FixedUpdate, Time.fixedDeltaTime), (WingUpdateMode.Manual, 0.0),
+            })
+            {
+                insect.UpdateMode = mode;
+                yield return Frames(3);
+                Assert.That(BeatReader.ForceLag(insect), Is.EqualTo(0.5 * step * insect.Frequency).Within(1e-6), $"{mode}");
+            }
+        }
+
         [UnityTest]
         public IEnumerator FlapAngle_SwingsAsFarAsTheWingDoes()
         {
