@@ -21,11 +21,11 @@ namespace Alate.Editor.Tests
             GameObject bare = Bare();
             bare.transform.SetPositionAndRotation(new Vector3(3f, 4f, 5f), Quaternion.Euler(10f, 200f, 30f));
             Transform wing = bare.GetComponentsInChildren<MeshRenderer>()[0].transform;
-            SurfaceMesh surface = SurfaceMesh.FromMesh(wing.GetComponent<MeshFilter>().sharedMesh);
+            var surface = SurfaceMesh.FromMesh(wing.GetComponent<MeshFilter>().sharedMesh);
             WingSkeleton plain = Keep(LayOutSkeletonFix.Fit(surface, bare.transform, wing).Skeleton);
             var turn = Quaternion.Euler(x, y, z);
             wing.localRotation = turn;
-            surface.positions = System.Array.ConvertAll(surface.positions, place => Quaternion.Inverse(turn) * place);
+            surface.positions = Array.ConvertAll(surface.positions, place => Quaternion.Inverse(turn) * place);
             surface.normals = null;
             WingSkeleton turned = Keep(LayOutSkeletonFix.Fit(surface, bare.transform, wing).Skeleton);
 

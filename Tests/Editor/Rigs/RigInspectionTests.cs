@@ -139,7 +139,7 @@ namespace Alate.Editor.Tests
             Assert.That(mesh.Mesh, Is.SameAs(drawn));
             Assert.That(drawn.colors32, Is.Not.EqualTo(first));
             AssertShows(drawn, seen);
-            RigInspection other = RigInspection.TryMake(Skeleton, Stretched(2f), k_Patches, out _);
+            var other = RigInspection.TryMake(Skeleton, Stretched(2f), k_Patches, out _);
             mesh.Show(other, RigColourMode.JointWeight, new[] { new JointIndex(4, 4) }, WingParameters.Default);
             Assert.That(mesh.Mesh, Is.SameAs(drawn));
             AssertShows(drawn, other);

@@ -47,7 +47,10 @@ namespace Alate.Tests.Crowds
             InsectWings insect = Monarch();
             var motion = new BakeMotion("own")
             {
-                Speed = speed, Climb = climb, PitchDegrees = pitch, Steering = new InsectSteering { frequencyScale = 1f },
+                Speed = speed,
+                Climb = climb,
+                PitchDegrees = pitch,
+                Steering = new InsectSteering { frequencyScale = 1f },
             };
             InsectBake bake = InsectBaker.Bake(insect, new[] { motion }, new BakeSettings(BakeSettings.MinFrames));
             BakedClip clip = bake.Clips[0];
