@@ -18,9 +18,22 @@ internal static class Glslang
     /// <returns>What is wrong with it; empty where nothing is.</returns>
     public static string Errors(string file, string stage, string entry, IEnumerable<string> includes, IEnumerable<string> macros)
     {
+        string[] arguments = ["-D", "-V", "-S", Stage(stage), "-e", entry, "-o", file + "." + Guid.NewGuid().ToString("N") + ".spv"];
+        (int code, string output) = Run(arguments, includes, macros, file);
+        return code == 0 ? "" : string.Join(
+            "\n", output.Split('\n').Where(line => line.StartsWith("ERROR", StringComparison.Ordinal)).DefaultIfEmpty(output));
+    }
+
+    /// <summary>Text of one stage after its directives.</summary>
+    public static string Preprocess(string file, string stage, IEnumerable<string> includes, IEnumerable<string> macros) =>
+        Run(["-D", "-E", "-S", Stage(stage)], includes, macros, file).output;
+
+    private static string Stage(string stage) => stage == "vertex" ? "vert" : "frag";
+
+    private static (int code, string output) Run(
+        string[] arguments, IEnumerable<string> includes, IEnumerable<string> macros, string file)
+    {
         var start = new ProcessStartInfo(Path) { RedirectStandardOutput = true, RedirectStandardError = true };
-        string[] arguments =
-            ["-D", "-V", "-S", stage == "vertex" ? "vert" : "frag", "-e", entry, "-o", file + "." + Guid.NewGuid().ToString("N") + ".spv"];
         IEnumerable<string> folders = includes.Select(folder => "-I" + folder);
         IEnumerable<string> defined = macros.Select(macro => "-D" + (macro.Contains('=') ? macro : macro + "=1"));
         foreach (string argument in arguments.Concat(folders).Concat(defined).Append(file))
@@ -28,8 +41,7 @@ internal static class Glslang
         using var run = Process.Start(start);
         string output = run.StandardOutput.ReadToEnd() + run.StandardError.ReadToEnd();
         run.WaitForExit();
-        return run.ExitCode == 0 ? "" : string.Join(
-            "\n", output.Split('\n').Where(line => line.StartsWith("ERROR", StringComparison.Ordinal)).DefaultIfEmpty(output));
+        return (run.ExitCode, output);
     }
 
     private static string Find()
