@@ -13,7 +13,7 @@ using NUnit.Framework;
 namespace Alate.Tests.Shaders;
 
 /// <summary>
-/// Every pass of Alate/Wing for URP, compiled on URP's own includes with each of its keywords. Skipped where the variable
+/// Every pass of Alate/Wing for URP, compiled on URP's own includes with every two of its keywords. Skipped where the variable
 /// ALATE_UNITY_SHADERS names no folder with trees <c>urp-VERSION/Packages/com.unity.render-pipelines.core</c> and <c>.universal</c>.
 /// </summary>
 public sealed class UnityIncludesTests
@@ -27,7 +27,7 @@ public sealed class UnityIncludesTests
     [Test]
     [Explicit]
     [Category("Long")]
-    public void EveryPassCompiles_OnUrpsOwnIncludes_WithEachKeyword()
+    public void EveryPassCompiles_OnUrpsOwnIncludes_WithEveryTwoKeywords()
     {
         string sources = Environment.GetEnvironmentVariable("ALATE_UNITY_SHADERS") ?? "";
         string[] versions = Directory.Exists(sources) ? Directory.GetDirectories(sources, "urp-*") : [];
@@ -93,6 +93,6 @@ public sealed class UnityIncludesTests
         string names = Path.Combine(PackageRoot.Find(), "Headless~", "Alate.Headless.Tests", "Shaders", "Includes", "Universal");
         string text = IncludedText.Of(pass.Program, ShaderFolder, [names]);
         return new[] { "vertex", "fragment" }
-            .SelectMany(stage => KeywordSets.EachOf(pass.Program, stage, text).Select(keywords => (pass, stage, keywords)));
+            .SelectMany(stage => KeywordSets.PairsOf(pass.Program, stage, text).Select(keywords => (pass, stage, keywords)));
     }
 }
