@@ -148,6 +148,7 @@ internal static class MutationRun
     private static IEnumerable<string> ProjectFiles(string root) => Directory
         .EnumerateFiles(Path.Combine(root, "Headless~"), "*.csproj", SearchOption.AllDirectories)
         .Where(file => Path.GetRelativePath(root, file).Split(Path.DirectorySeparatorChar).Length == 3)
-        .Where(file => !new[] { "Tests", "Samples", "Benchmarks", "Mutations", "FakeEditor" }.Any(Path.GetFileNameWithoutExtension(file).EndsWith))
+        .Where(file => !new[] { "Tests", "Samples", "Benchmarks", "Mutations", "FakeEditor" }
+            .Any(Path.GetFileNameWithoutExtension(file).EndsWith))
         .OrderBy(file => file, StringComparer.Ordinal);
 }

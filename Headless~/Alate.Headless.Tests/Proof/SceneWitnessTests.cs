@@ -66,11 +66,11 @@ public sealed class SceneWitnessTests : PlayFixture
     [Test]
     public void WithoutAnAccount_ThereIsNone() => Assert.That(SceneAccount.Read(m_Folder, "Meadow"), Is.Null);
 
-    private static void Eye() => new GameObject("eye", typeof(Camera)).tag = "MainCamera";
+    private void Eye() => Keep(new GameObject("eye", typeof(Camera))).tag = "MainCamera";
 
     private void Witness(params float[] times)
     {
-        SceneWitness witness = new GameObject("witness").AddComponent<SceneWitness>();
+        SceneWitness witness = Keep(new GameObject("witness")).AddComponent<SceneWitness>();
         witness.Folder = m_Folder;
         witness.SceneName = "Meadow";
         witness.Times = times;
