@@ -1,0 +1,68 @@
+using NUnit.Framework;
+using Unity.Mathematics;
+
+namespace Alate.Tests
+{
+    /// <summary>Numbers that are none: which wing of a pack has one, and bounds that meet them.</summary>
+    public sealed unsafe class NotFiniteLaws
+    {
+        private delegate void Edit(ref WingPack pack, int lane, float value);
+
+        private static readonly (string name, Edit edit)[] s_Places =
+        {
+            ("position, first joint", (ref WingPack pack, int lane, float value) => pack.pose[0].position.x[lane] = value),
+            ("position, last joint",
+                (ref WingPack pack, int lane, float value) => pack.pose[pack.rig.jointCount - 1].position.z[lane] = value),
+            ("rotation", (ref WingPack pack, int lane, float value) => pack.pose[1].rotation.w[lane] = value),
+            ("deviation", (ref WingPack pack, int lane, float value) => pack.offsetRates[pack.rig.jointCount - 1].y[lane] = value),
+            ("bend, first bone", (ref WingPack pack, int lane, float value) => pack.bendRates[0].y[lane] = value),
+            ("bend, last bone", (ref WingPack pack, int lane, float value) => pack.bendRates[pack.rig.boneCount - 1].x[lane] = value),
+        };
+
+        [Test]
+        public void AWingWithOne_IsFound_AndNoOtherOfItsPack(
+            [Values(float.NaN, float.PositiveInfinity, float.NegativeInfinity)] float value, [Values(0, 3)] int lane)
+        {
+            foreach ((string name, Edit edit) in s_Places)
+            {
+                using (var fixture = new PackFixture(Monarch.Rig(64), Monarch.Parameters))
+                {
+                    Assert.That(math.any(PackReset.NotFinite(fixture.Pack)), Is.False, name);
+                    edit(ref fixture.Pack, lane, value);
+                    bool4 found = PackReset.NotFinite(fixture.Pack);
+                    for (int other = 0; other < WingPack.Lanes; other++)
+                        Assert.That(found[other], Is.EqualTo(other == lane), $"{name}, lane {other}");
+                }
+            }
+        }
+
+        [Test]
+        public void ARestartedWing_HasNone_AndIsCountedOnce()
+        {
+            using (var fixture = new PackFixture(Monarch.Rig(64), Monarch.Parameters))
+            {
+                float4 before = fixture.Pack.readings->resets;
+                fixture.Pack.pose[2].position.y[1] = float.NaN;
+                bool4 found = PackReset.NotFinite(fixture.Pack);
+                PackReset.Recover(fixture.Pack, fixture.scratch, found);
+                Assert.That(math.any(PackReset.NotFinite(fixture.Pack)), Is.False);
+                float4 more = fixture.Pack.readings->resets - before;
+                Assert.That(math.all(more == new float4(0f, 1f, 0f, 0f)), Is.True, more.ToString());
+            }
+        }
+
+        [Test]
+        public void Bounds_HoldAllPoints_AndLeaveOutWhatIsNoPlace()
+        {
+            SoaBounds bounds = SoaBounds.Empty;
+            bounds.Encapsulate(new SoaFloat3(new float3(1f, -2f, 3f)));
+            bounds.Encapsulate(new SoaFloat3(new float3(-4f, 5f, float.NaN)));
+            bounds.Encapsulate(new SoaFloat3(new float3(float.NaN, 0f, -6f)));
+            for (int lane = 0; lane < 4; lane++)
+            {
+                Assert.That(new float3(bounds.min.x[lane], bounds.min.y[lane], bounds.min.z[lane]), Is.EqualTo(new float3(-4f, -2f, -6f)));
+                Assert.That(new float3(bounds.max.x[lane], bounds.max.y[lane], bounds.max.z[lane]), Is.EqualTo(new float3(1f, 5f, 3f)));
+            }
+        }
+    }
+}
