@@ -14,7 +14,7 @@ namespace Alate.Crowds
         private readonly Action<Camera> m_Draw;
         private readonly GameObject m_Owner;
         private readonly List<Camera> m_Probes = new List<Camera>();
-        private int m_Frame = -1;
+        private int m_Frame;
 
         /// <param name="owner">What is drawn: its layer and scene decide which cameras see it.</param>
         /// <param name="draw">Draws for a camera.</param>

@@ -22,7 +22,7 @@ namespace Alate.Crowds
         public CrowdTwin(InsectWings prefab, Scene home)
         {
             Wings = Object.Instantiate(prefab);
-            if (home.IsValid() && Wings.gameObject.scene != home)
+            if (Wings.gameObject.scene != home)
                 SceneManager.MoveGameObjectToScene(Wings.gameObject, home);
             m_Renderers = Wings.GetComponentsInChildren<Renderer>(true);
             Wings.UpdateMode = WingUpdateMode.Update;

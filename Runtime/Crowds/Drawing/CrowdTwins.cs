@@ -88,7 +88,7 @@ namespace Alate.Crowds
 
         private void Assign(CrowdTwin twin, int count, CrowdBuffers buffers)
         {
-            for (int place = 0; place < math.min(count, buffers.nearest.Length); place++)
+            for (int place = 0; place < count; place++)
             {
                 int insect = buffers.nearest[place];
                 if (insect < 0)

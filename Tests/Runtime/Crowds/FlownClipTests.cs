@@ -153,6 +153,27 @@ namespace Alate.Tests.Crowds
             Assert.That(apart, Is.GreaterThan(0.005f * m_Bake.WingLength), "the sides beat differently");
         }
 
+        // Lift that leans by the angle whose tangent is speed times turn over gravity holds a body on its circle.
+        [TestCase("turn-left")]
+        [TestCase("turn-right")]
+        public void ATurn_IsFlownAhead_AndLeansAsItsCircleAsks(string name)
+        {
+            using (FlightModel model = CatalogueFlight.CreateModel(InsectCatalogue.Find("monarch")))
+            using (TrimTable table = CatalogueFlight.CreateTable(InsectCatalogue.Find("monarch"), model))
+            {
+                BakedClip clip = Clip(name);
+                float speed = clip.Motion.Speed * table.TopSpeed, turn = math.radians(clip.Motion.TurnDegrees);
+                float3 flown = math.rotate(clip.Attitude, clip.Velocity) * m_Bake.MetresPerUnit;
+                float3 nose = math.rotate(clip.Attitude, new float3(0f, 0f, 1f));
+                float3 turned = math.rotate(clip.Attitude, clip.AngularVelocity);
+                float lean = math.degrees(math.atan(speed * turn / 9.81f));
+                Assert.That(math.distance(flown, new float3(0f, 0f, speed)), Is.LessThan(0.1f * speed));
+                Assert.That(math.abs(nose.x), Is.LessThan(0.1f));
+                Assert.That(math.distance(turned, new float3(0f, turn, 0f)), Is.LessThan(1e-4f));
+                Assert.That(-Bank(clip) / lean, Is.GreaterThan(1f).And.LessThan(2f), "the body leans further than its lift");
+            }
+        }
+
         [Test]
         public void BetweenTwoClips_NoWingCollapses()
         {

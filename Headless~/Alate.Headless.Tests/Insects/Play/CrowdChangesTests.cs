@@ -1,10 +1,12 @@
 using System;
 using System.Collections;
+using System.Linq;
 using System.Reflection;
 using Alate.Crowds;
 using NUnit.Framework;
 using Unity.Mathematics;
 using UnityEngine;
+using UnityEngine.SceneManagement;
 using UnityEngine.TestTools;
 using Object = UnityEngine.Object;
 
@@ -85,6 +87,57 @@ namespace Alate.Tests.Play.Headless
                 yield return null;
             GameObject twin = Scene.Crowd.LiveTwinOf(0).gameObject;
             Assert.That((twin.scene, twin.hideFlags), Is.EqualTo((Scene.Crowd.gameObject.scene, HideFlags.None)));
+        }
+
+        [UnityTest]
+        public IEnumerator LiveInsects_OfACrowdInAnotherScene_AreMadeThere()
+        {
+            Scene = new CrowdScene("monarch", 1, "rest");
+            Scene other = SceneManager.CreateScene("other");
+            SceneManager.MoveGameObjectToScene(Scene.Crowd.gameObject, other);
+            Scene.Crowd.LivePrefab = Scene.Prefab;
+            Scene.Crowd.LiveCount = 1;
+            Scene.Place(0, CrowdPose.At(default, quaternion.identity));
+            yield return Frames(2);
+            Assert.That(Twins(other), Is.EqualTo(1));
+            Assert.That(Twins(Scene.Camera.gameObject.scene), Is.Zero, "where the prefab is copied first");
+            Scene.Crowd.enabled = false;
+            yield return null;
+            Assert.That(Twins(other), Is.Zero, "it goes with the crowd");
+
+            static int Twins(Scene scene) =>
+                scene.GetRootGameObjects().Count(made => made.activeSelf && made.TryGetComponent(out InsectWings _));
+        }
+
+        // One that is live stays so while fewer than sixteen for each live one are nearer; places are kept for some of the nearest alone.
+        [UnityTest]
+        public IEnumerator ALiveInsect_Stays_WhileItIsAmongTheNearest([Values(15, 16)] int nearer)
+        {
+            Scene = new CrowdScene("monarch", 17, "cruise");
+            Scene.Crowd.LivePrefab = Scene.Prefab;
+            Scene.Crowd.LiveCount = 1;
+            Scene.Place(0, CrowdPose.At(default, quaternion.identity));
+            for (int frame = 0; frame < 600 && Scene.Crowd.LiveNow == 0; frame++)
+                yield return null;
+            Assert.That(Scene.Crowd.LiveTwinOf(0), Is.Not.Null);
+            for (int k = 1; k <= nearer; k++)
+                Scene.Place(k, CrowdPose.At(new float3(0.1f * k, 0f, -2f), quaternion.identity));
+            yield return Frames(3);
+            Assert.That(Scene.Crowd.LiveTwinOf(0) != null, Is.EqualTo(nearer < 16));
+        }
+
+        [UnityTest]
+        public IEnumerator ALiveInsectThatIsGone_IsLeft_HoweverManyMayBeLive()
+        {
+            Scene = new CrowdScene("monarch", 1, "rest");
+            Scene.Crowd.LivePrefab = Scene.Prefab;
+            Scene.Crowd.LiveCount = 9;
+            Scene.Place(0, CrowdPose.At(default, quaternion.identity));
+            yield return Frames(3);
+            Scene.Place(0, CrowdPose.At(new float3(0f, 0f, -50f), quaternion.identity));
+            yield return Frames(3);
+            LogAssert.NoUnexpectedReceived();
+            Assert.That((Scene.Crowd.LiveNow, Scene.Crowd.DrawnCount), Is.EqualTo((0, 0)), "behind the camera");
         }
 
         [UnityTest]

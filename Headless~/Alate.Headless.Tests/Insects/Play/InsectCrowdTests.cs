@@ -173,6 +173,15 @@ namespace Alate.Tests.Play.Headless
         public IEnumerator WhereOtherLoopsWereFlownByTrims_NothingJumpsEither(
             [Values("cruise", "hover", "climb", "turn-right")] string loop) => SwapFlown(loop);
 
+        // Then the picture is between two steps of the wings.
+        [UnityTest]
+        public IEnumerator WhereFramesAreShorterThanSteps_NothingJumpsEither()
+        {
+            Time.captureDeltaTime = 1f / 80f;
+            Scene = new CrowdScene("monarch", 4, "cruise");
+            return Swap();
+        }
+
         private IEnumerator SwapFlown(string loop)
         {
             Scene = new CrowdScene("monarch", InsectVariant.Flight, 4, loop);
