@@ -38,7 +38,9 @@ public sealed class GardenSampleTests : SampleFixture<GardenSample>
         yield return Frames(60);
         Assert.That(sitting.State, Is.EqualTo(FlightState.Flying), "a second after the camera came near");
         yield return Frames(120);
-        Assert.That(Vector3.Distance(sitting.Position, camera.transform.position), Is.GreaterThan(7f));
+
+        // Beyond the distance at which it takes fright; from there on it flies where it likes.
+        Assert.That(Vector3.Distance(sitting.Position, camera.transform.position), Is.GreaterThan(6f));
     }
 
     [UnityTest]
