@@ -110,6 +110,60 @@ namespace Alate.Tests.Crowds
         }
 
         [Test]
+        public void WingsWithoutAmplitude_HoldStill()
+        {
+            InsectWings insect = Insect("monarch");
+            insect.Wings.ForEach(wing => wing.AmplitudeScale = 0f);
+
+            Assert.That(Bake(insect, "cruise").Clips[0].Frames, Has.Count.EqualTo(1));
+        }
+
+        [Test]
+        public void AScaleThatIsTold_IsThatOfTheBake_AndWithoutSettingsALoopHas48Frames()
+        {
+            InsectWings insect = Insect("monarch");
+            insect.Motion.metresPerUnit = 0.04f;
+            InsectBake bake = InsectBaker.Bake(insect, new[] { BakeMotion.Find("hover"), BakeMotion.Find("glide") }, default);
+
+            Assert.That(bake.MetresPerUnit, Is.EqualTo(0.04f));
+            Assert.That(bake.Clips[0].Frames, Has.Count.EqualTo(48));
+            float top = new PresetValues(insect.Preset).parameters.maxSpeed;
+            Assert.That(math.length(bake.Clips[1].Velocity) * 0.04f, Is.EqualTo(BakeMotion.Find("glide").Speed * top).Within(1e-4f));
+        }
+
+        [Test]
+        public void ABake_TellsItsShare_OfClipByClip_AndStopsWhenItIsAsked()
+        {
+            InsectWings insect = Insect("monarch");
+            var told = new List<(string Clip, float Share)>();
+            BakeMotion[] motions = { BakeMotion.Find("rest"), BakeMotion.Find("glide") };
+            InsectBaker.Bake(insect, motions, new BakeSettings(BakeSettings.MinFrames), (clip, share) =>
+            {
+                told.Add((clip, share));
+                return true;
+            });
+            for (int k = 0; k < told.Count; k++)
+            {
+                Assert.That(told[k].Share, told[k].Clip == "rest" ? Is.InRange(0f, 0.5f) : Is.InRange(0.5f, 1f));
+                Assert.That(k == 0 || told[k].Share > told[k - 1].Share, Is.True, "it grows");
+            }
+
+            Assert.That(told.FindAll(one => one.Clip == "rest").Count, Is.GreaterThanOrEqualTo(6), "beats of each clip");
+            Assert.That(told.FindAll(one => one.Clip == "glide").Count, Is.GreaterThanOrEqualTo(6));
+            Assert.That(told[0].Share, Is.LessThan(0.1f));
+            Assert.That(
+                () => InsectBaker.Bake(insect, motions, new BakeSettings(BakeSettings.MinFrames), (clip, share) => clip != "glide"),
+                Throws.TypeOf<OperationCanceledException>().With.Message.EqualTo("The bake was stopped at clip 'glide'."));
+        }
+
+        [Test]
+        public void WithoutAnInsectOrMotions_ABakeIsRefused()
+        {
+            Assert.That(() => InsectBaker.Bake(null, BakeMotion.All, default), Throws.ArgumentNullException);
+            Assert.That(() => InsectBaker.Bake(Insect("monarch"), null, default), Throws.ArgumentNullException);
+        }
+
+        [Test]
         public void BetweenTwoClips_NoWingShrinks()
         {
             InsectBake bake = Bake(Insect("monarch"), "cruise", "hover", "climb", "turn-left", "glide", "rest");

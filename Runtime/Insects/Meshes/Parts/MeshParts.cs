@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using Alate.Geometry;
+using Unity.Mathematics;
 using UnityEngine;
 
 namespace Alate
@@ -93,7 +94,7 @@ namespace Alate
 
         private static MeshSelection Connected(Mesh mesh, Vector3 point)
         {
-            if (float.IsNaN(point.x + point.y + point.z) || float.IsInfinity(point.x + point.y + point.z))
+            if (!math.all(math.isfinite((float3)point)))
                 throw new ArgumentException($"The point {point} on mesh '{mesh.name}' is not finite.");
             int[] corners = AllCorners(mesh);
             Vector3[] positions = mesh.vertices;
