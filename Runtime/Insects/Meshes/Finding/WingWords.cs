@@ -8,7 +8,8 @@ namespace Alate
     {
         private const int k_LongestAbbreviation = 2;
 
-        private static readonly Dictionary<string, WingWord> s_Meanings = Meanings(
+        private static readonly Dictionary<string, WingWord> s_Meanings = Meanings(new[]
+        {
             (WingWord.Wing, "wing wings fin fins"),
             (WingWord.Left, "left l"),
             (WingWord.Right, "right r"),
@@ -22,7 +23,8 @@ namespace Alate
             (WingWord.Mount, "hinge joint socket muscle collider collision shadow"),
             (WingWord.Case, "elytra elytron elytrum case cases cover covers shell shells carapace haltere halteres"),
             (WingWord.Plain, "mesh msh geo geometry model obj object node group grp part skin material mat"),
-            (WingWord.Plain, "bone root rig pivot holder parent lod"));
+            (WingWord.Plain, "bone root rig pivot holder parent lod"),
+        });
 
         /// <summary>
         /// The meanings of a name's words, together; "forewingL" is three of them. False if a word is unknown; the others still count.
@@ -63,7 +65,7 @@ namespace Alate
             return false;
         }
 
-        private static Dictionary<string, WingWord> Meanings(params (WingWord Meaning, string Words)[] groups)
+        private static Dictionary<string, WingWord> Meanings((WingWord Meaning, string Words)[] groups)
         {
             var meanings = new Dictionary<string, WingWord>(StringComparer.Ordinal);
             foreach ((WingWord meaning, string words) in groups)
