@@ -1,6 +1,7 @@
 using System.Collections;
 using System.IO;
 using System.Linq;
+using System.Reflection;
 using Alate.Showcase;
 using NUnit.Framework;
 using UnityEngine;
@@ -63,16 +64,70 @@ public sealed class SceneWitnessTests : PlayFixture
         Assert.That((account.pictures, account.blank), Is.EqualTo((1, 1)));
     }
 
+    [UnityTest]
+    public IEnumerator AnAccount_HasMillisecondsOfAFrame_AndPicturesAreAFullHdHalf()
+    {
+        Eye();
+        Witness(0.1f);
+        yield return Frames(20);
+        var account = SceneAccount.Read(m_Folder, "Meadow");
+        Assert.That(account.frames, Is.InRange(6, 7));
+        Assert.That(account.milliseconds, Is.EqualTo(1000f * Time.unscaledDeltaTime).Within(0.5f));
+        byte[] header = File.ReadAllBytes(Path.Combine(m_Folder, "Meadow 00.1 s.png"));
+        Assert.That((header[18] << 8) + header[19], Is.EqualTo(1920 / 2), "width in the first chunk");
+        Assert.That((header[22] << 8) + header[23], Is.EqualTo(1080 / 2));
+    }
+
+    [UnityTest]
+    public IEnumerator APicture_LeavesTheCameraAndTheDeviceAsTheyWere_OfWhateverCameraThereIs()
+    {
+        GameObject eye = Keep(new GameObject("eye", typeof(Camera)));
+        RenderTexture own = RenderTexture.GetTemporary(8, 8, 0), active = RenderTexture.GetTemporary(4, 4, 0);
+        eye.GetComponent<Camera>().targetTexture = own;
+        RenderTexture.active = active;
+        Witness(0.05f);
+        yield return Frames(10);
+        (RenderTexture target, RenderTexture left) = (eye.GetComponent<Camera>().targetTexture, RenderTexture.active);
+        eye.GetComponent<Camera>().targetTexture = null;
+        RenderTexture.active = null;
+        RenderTexture.ReleaseTemporary(own);
+        RenderTexture.ReleaseTemporary(active);
+        Assert.That(target, Is.SameAs(own));
+        Assert.That(left, Is.SameAs(active));
+        Assert.That(File.Exists(Path.Combine(m_Folder, "Meadow 00.1 s.png")) || File.Exists(Path.Combine(m_Folder, "Meadow 00 s.png")),
+            Is.True, "taken by a camera that is not the main one");
+    }
+
+    [UnityTest]
+    public IEnumerator ASecondWitness_IsNotDoneFromTheStart_AndOneThatIsOffCountsNoErrors()
+    {
+        Eye();
+        Witness(0.05f);
+        yield return Frames(10);
+        Assert.That(SceneWitness.IsDone, Is.True);
+        SceneWitness second = Witness(100f);
+        Assert.That(SceneWitness.IsDone, Is.False);
+        yield return Frames(2);
+        second.enabled = false;
+        LogAssert.Expect(LogType.Error, "unheard");
+        Debug.LogError("unheard");
+        var account = (SceneAccount)typeof(SceneWitness).GetField("m_Account", BindingFlags.NonPublic | BindingFlags.Instance)
+            .GetValue(second);
+        Assert.That((account.errors, account.pictures), Is.EqualTo((0, 0)));
+        Assert.That(account.frames, Is.GreaterThan(0));
+    }
+
     [Test]
     public void WithoutAnAccount_ThereIsNone() => Assert.That(SceneAccount.Read(m_Folder, "Meadow"), Is.Null);
 
     private void Eye() => Keep(new GameObject("eye", typeof(Camera))).tag = "MainCamera";
 
-    private void Witness(params float[] times)
+    private SceneWitness Witness(params float[] times)
     {
         SceneWitness witness = Keep(new GameObject("witness")).AddComponent<SceneWitness>();
         witness.Folder = m_Folder;
         witness.SceneName = "Meadow";
         witness.Times = times;
+        return witness;
     }
 }

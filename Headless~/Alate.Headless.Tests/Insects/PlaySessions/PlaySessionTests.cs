@@ -100,6 +100,20 @@ namespace Alate.Tests.PlaySessions
         }
 
         [UnityTest]
+        public IEnumerator TheEndOfPlay_IsToldOnce_InEachSession()
+        {
+            for (int session = 1; session <= 3; session++)
+            {
+                int told = 0;
+                yield return new EnterPlayMode(false);
+                PlayEnd.Ended += () => told++;
+                Assert.That(PlayEnd.HasCome, Is.False);
+                yield return new ExitPlayMode();
+                Assert.That(told, Is.EqualTo(1), $"session {session}");
+            }
+        }
+
+        [UnityTest]
         public IEnumerator AfterTheEndOfPlay_NothingStarts()
         {
             yield return new EnterPlayMode(false);
