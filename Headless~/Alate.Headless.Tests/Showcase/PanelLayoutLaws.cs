@@ -26,7 +26,7 @@ public sealed class PanelLayoutLaws : PlayFixture
     {
         Show();
         yield return Frames(2);
-        List<Rect> all = DrawnScreen.Controls.Select(control => control.Place).ToList();
+        var all = DrawnScreen.Controls.Select(control => control.Place).ToList();
         float left = all.Min(place => place.xMin), right = all.Max(place => place.xMax);
         float top = all.Min(place => place.yMin), bottom = all.Max(place => place.yMax);
         float padding = left - Edge(new Vector2(left, top), -Vector2.right);
@@ -43,7 +43,7 @@ public sealed class PanelLayoutLaws : PlayFixture
     {
         Show();
         yield return Frames(2);
-        List<List<Rect>> rows = DrawnScreen.Controls.Select(control => control.Place).GroupBy(place => place.yMin)
+        var rows = DrawnScreen.Controls.Select(control => control.Place).GroupBy(place => place.yMin)
             .OrderBy(row => row.Key).Select(row => row.OrderBy(place => place.xMin).ToList()).ToList();
         Assert.That(rows.Select(row => row.Count), Is.EqualTo(new[] { 1, 1, 2, 3, 1 }));
         float gap = rows[1][0].yMin - rows[0][0].yMax;

@@ -111,7 +111,8 @@ namespace Alate.Crowds
 
         private static float3 Along(float heading, float3 vector) => math.rotate(Rotations.AboutY(heading), vector);
 
-        private static WingDrive Sum(in WingDrive a, in WingDrive b) => new WingDrive
+        /// <summary>Sums of the numbers of two beats.</summary>
+        internal static WingDrive Sum(in WingDrive a, in WingDrive b) => new WingDrive
         {
             frequency = a.frequency + b.frequency,
             amplitude = a.amplitude + b.amplitude,
@@ -121,7 +122,8 @@ namespace Alate.Crowds
             tilt = a.tilt + b.tilt,
         };
 
-        private static WingDrive Scaled(in WingDrive drive, float share) => new WingDrive
+        /// <summary>A beat's numbers times a share.</summary>
+        internal static WingDrive Scaled(in WingDrive drive, float share) => new WingDrive
         {
             frequency = drive.frequency * share,
             amplitude = drive.amplitude * share,

@@ -133,12 +133,15 @@ namespace Alate.Crowds
             return nearest;
         }
 
-        private static float3 NearestShares(float3 point, float3 a, float3 b, float3 c)
+        /// <summary>Shares of the corners in the place on a triangle that is nearest to a point.</summary>
+        internal static float3 NearestShares(float3 point, float3 a, float3 b, float3 c)
         {
             float3 ab = b - a, ac = c - a, ap = point - a;
             float xx = math.dot(ab, ab), xy = math.dot(ab, ac), yy = math.dot(ac, ac), px = math.dot(ap, ab), py = math.dot(ap, ac);
             float area = xx * yy - xy * xy;
-            float u = area > 0f ? (yy * px - xy * py) / area : 0f, v = area > 0f ? (xx * py - xy * px) / area : 0f;
+            float u = (yy * px - xy * py) / area, v = (xx * py - xy * px) / area;
+
+            // Of a triangle without area the shares are no numbers, or endless: then its edges count.
             if (u >= 0f && v >= 0f && u + v <= 1f)
                 return new float3(1f - u - v, u, v);
             float3 onAb = OnEdge(px, xx, 1), onAc = OnEdge(py, yy, 2);

@@ -30,7 +30,7 @@ namespace Alate.Tests.Play.Headless
                 DrawnInstances.Calls = new List<DrawnBatch>();
                 yield return null;
                 int parts = DrawnInstances.Calls.Select(call => call.Submesh).Distinct().Count();
-                List<DrawnBatch> first = DrawnInstances.Calls.Where(call => call.Submesh == 0).ToList();
+                var first = DrawnInstances.Calls.Where(call => call.Submesh == 0).ToList();
                 Assert.That(first.Select(call => call.Matrices.Length), Is.EqualTo(new[] { 500, 500, 100 }));
                 Assert.That(first.SelectMany(call => call.Matrices).Select(matrix => matrix.m03).Distinct().Count(), Is.EqualTo(count));
                 Assert.That(Scene.Crowd.DrawCalls, Is.EqualTo(3 * parts));
