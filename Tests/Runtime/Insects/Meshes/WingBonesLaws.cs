@@ -81,8 +81,14 @@ namespace Alate.Tests
                 m_Insect.Bone(bone);
             WingBones bones = Bones(_ => new BoneWeight
             {
-                boneIndex0 = 2, weight0 = 0.4f, boneIndex1 = 0, weight1 = 0.3f,
-                boneIndex2 = 3, weight2 = 0.2f, boneIndex3 = 1, weight3 = 0.1f,
+                boneIndex0 = 2,
+                weight0 = 0.4f,
+                boneIndex1 = 0,
+                weight1 = 0.3f,
+                boneIndex2 = 3,
+                weight2 = 0.2f,
+                boneIndex3 = 1,
+                weight3 = 0.1f,
             });
             float[] sums = { 1f, 2f, 3f, 4f };
             bones.AddWeights(1, sums);
