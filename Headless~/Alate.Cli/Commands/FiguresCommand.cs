@@ -51,11 +51,9 @@ internal static class FiguresCommand
         string accuracy = Text(Path.Combine(path, AccuracyFigures.Page));
         string flight = Text(Path.Combine(path, FlightFigures.Page));
         string[] files = [k_Page, FlightFigures.Page, .. AccuracyFigures.Files, .. Pictures];
-        using var folder = OutputFolder.Prepare(path, files);
-        var terminal = new Terminal(output);
-        terminal.ShowProgress(InsectCatalogue.All.Sum(species => species.Variants.Count) + 2, (done, stage) =>
+        Make(path, files, output, InsectCatalogue.All.Sum(species => species.Variants.Count) + 2, (folder, done, stage) =>
         {
-            List<FlightSummary> summaries = Measure(done);
+            List<FlightSummary> summaries = Measure(InsectCatalogue.All, MeasuredSubsteps, done);
             page = PageBlock.Replace(page, "numbers", MarkdownTable.Write(SpeciesTable.Measured(summaries)));
             foreach (InsectDefinition species in InsectCatalogue.All)
                 page = PageBlock.Replace(page, "sources of " + species.Name, MarkdownTable.Write(SpeciesTable.Sources(species)));
@@ -67,17 +65,25 @@ internal static class FiguresCommand
             foreach ((string name, string text) in AccuracyFigures.Make(accuracy))
                 Write(folder, name, text);
         });
-        folder.Commit();
-        terminal.ShowFiles(path, files);
     }
 
-    private static void Draw(string path, TextWriter output)
+    private static void Draw(string path, TextWriter output) =>
+        Make(path, Pictures.ToArray(), output, 1, (folder, _, stage) => WritePictures(folder, stage));
+
+    /// <summary>Makes all files of a folder, or none where something fails, and says where they are.</summary>
+    /// <param name="path">The folder.</param>
+    /// <param name="files">Their names.</param>
+    /// <param name="output">Told the files.</param>
+    /// <param name="steps">Steps of the work.</param>
+    /// <param name="work">Writes the files; told where to report steps done, and the name of what follows them.</param>
+    internal static void Make(string path, string[] files, TextWriter output, int steps,
+        System.Action<OutputFolder, System.Action<int>, System.Action<string>> work)
     {
-        using var folder = OutputFolder.Prepare(path, Pictures.ToArray());
+        using var folder = OutputFolder.Prepare(path, files);
         var terminal = new Terminal(output);
-        terminal.ShowProgress(1, (_, stage) => WritePictures(folder, stage));
+        terminal.ShowProgress(steps, (done, stage) => work(folder, done, stage));
         folder.Commit();
-        terminal.ShowFiles(path, Pictures.ToArray());
+        terminal.ShowFiles(path, files);
     }
 
     private static void WritePictures(OutputFolder folder, System.Action<string> stage)
@@ -109,14 +115,14 @@ internal static class FiguresCommand
         folder.Write(k_Film, stream => stream.Write(film.Animation(film.Draw(_ => { }))));
     }
 
-    private static List<FlightSummary> Measure(System.Action<int> done)
+    internal static List<FlightSummary> Measure(IEnumerable<InsectDefinition> insects, int substeps, System.Action<int> done)
     {
         var summaries = new List<FlightSummary>();
-        foreach (InsectDefinition species in InsectCatalogue.All)
+        foreach (InsectDefinition species in insects)
         {
             foreach (InsectVariant variant in species.Variants)
             {
-                FlightRecord flight = TetheredFlight.Fly(Plan(species) with { Variant = variant, Substeps = MeasuredSubsteps });
+                FlightRecord flight = TetheredFlight.Fly(Plan(species) with { Variant = variant, Substeps = substeps });
                 summaries.Add(FlightSummary.Of(flight));
                 done(summaries.Count);
             }

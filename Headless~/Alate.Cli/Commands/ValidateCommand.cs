@@ -30,13 +30,31 @@ internal static class ValidateCommand
         HelpExamples.Set(command, k_Examples);
         command.SetAction(parsed =>
         {
-            Run(parsed.GetValue(data), parsed.GetValue(folder) ?? Path.Combine("out", "validation"), parsed.GetValue(front), output);
+            Run(parsed.GetValue(data), parsed.GetValue(folder) ?? Path.Combine("out", "validation"), parsed.GetValue(front), output,
+                () => DragonflyRows.Curves(DragonflyRows.Substeps), Parts);
             return 0;
         });
         return command;
     }
 
-    private static void Run(string data, string path, string front, TextWriter output)
+    /// <summary>Parts of the report in its order: the rows of each, which call back after each stage.</summary>
+    private static IReadOnlyList<Func<Action, IEnumerable<ValidationRow>>> Parts { get; } =
+    [
+        done => DragonflyRows.Flights(Fineness.Report, done), done => DragonflyRows.Tethered(Fineness.Report, done),
+        done => ButterflyRows.Free(Fineness.Report, done), done => ButterflyRows.Climbing(Fineness.Report, done),
+        done => ButterflyRows.Held(Fineness.Report, done), done => StructureRows.Droops(Fineness.Report, done),
+        done => StructureRows.Motions(Fineness.Report, done), done => StructureRows.Insects(Fineness.Report, done),
+    ];
+
+    /// <summary>Writes the report.</summary>
+    /// <param name="data">Folder of measured curves; null for none.</param>
+    /// <param name="path">Where the files go.</param>
+    /// <param name="front">Page that gets the rows of the front page; null for none.</param>
+    /// <param name="output">Told the files.</param>
+    /// <param name="measure">Makes the curves.</param>
+    /// <param name="parts">Make the rows.</param>
+    internal static void Run(string data, string path, string front, TextWriter output, Func<List<ValidationCurve>> measure,
+        IReadOnlyList<Func<Action, IEnumerable<ValidationRow>>> parts)
     {
         if (data != null && !Directory.Exists(data))
             throw new UserException($"Cannot read '{data}': there is no such folder.");
@@ -47,19 +65,13 @@ internal static class ValidateCommand
         using var folder = OutputFolder.Prepare(path, k_Page, k_Json, k_Charts);
         var rows = new List<ValidationRow>();
         var terminal = new Terminal(output);
-        List<ValidationCurve> curves = DragonflyRows.Curves();
+        List<ValidationCurve> curves = measure();
         if (data != null)
             curves = UserCurves.Read(data, curves);
         terminal.ShowProgress(k_Stages, (done, _) =>
         {
             int stage = 0;
-            rows.AddRange(DragonflyRows.Flights(() => done(++stage)));
-            rows.AddRange(DragonflyRows.Tethered(() => done(++stage)));
-            rows.AddRange(ButterflyRows.Free(() => done(++stage)));
-            rows.AddRange(ButterflyRows.Held(() => done(++stage)));
-            rows.AddRange(StructureRows.Droops(() => done(++stage)));
-            rows.AddRange(StructureRows.Motions(() => done(++stage)));
-            rows.AddRange(StructureRows.Insects(() => done(++stage)));
+            rows.AddRange(parts.SelectMany(part => part(() => done(++stage))));
             if (data != null)
                 rows.AddRange(UserCurves.Rows(curves));
             Write(folder, k_Page, ValidationPage.Markdown(rows, curves, k_Charts));

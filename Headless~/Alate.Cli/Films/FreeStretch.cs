@@ -19,7 +19,8 @@ internal sealed class FreeStretch
     private readonly int m_First;
     private readonly quaternion m_Ahead;
 
-    private FreeStretch(FilmPlan plan, FreeRecord record)
+    /// <summary>The last beats of a flight but one.</summary>
+    internal FreeStretch(FilmPlan plan, FreeRecord record)
     {
         m_Plan = plan;
         m_Record = record;
@@ -72,11 +73,12 @@ internal sealed class FreeStretch
             at.Phase / (2.0 * Math.PI), math.mul(m_Ahead, at.Rotation), math.rotate(m_Ahead, m_Places[now] - camera), trail);
     }
 
+    // More than half a beat lies before the film, and a whole one behind it.
     private float3 Mean(int now)
     {
         float3 sum = 0f;
         for (int k = now - m_Plan.Frames / 2; k < now - m_Plan.Frames / 2 + m_Plan.Frames; k++)
-            sum += m_Places[Math.Clamp(k, 0, m_Places.Length - 1)];
+            sum += m_Places[k];
         return sum / m_Plan.Frames;
     }
 }

@@ -46,16 +46,54 @@ namespace Alate.Tests.Cli
                     species),
                     Substeps = FiguresCommand.MeasuredSubsteps
                 }));
-            string[] rows = Part("numbers").Split('\n')
-                .Where(row => row.StartsWith($"| {species.Name} | standard |", StringComparison.Ordinal)).ToArray();
+            string[] lines = Part("numbers").Split('\n');
+            string[][] rows = lines.Where(row => row.StartsWith($"| {species.Name} | standard |", StringComparison.Ordinal))
+                .Select(Cells).ToArray();
+            string[][] now = SpeciesTable.Measured([measured]).Select(row => row.ToArray()).ToArray();
 
+            Assert.That(now[..2], Is.EqualTo(new[] { Cells(lines[0]), Cells(lines[2]) }), "headings");
             Assert.That(rows, Has.Length.EqualTo(measured.Wings.Count));
+            Assert.That(now, Has.Length.EqualTo(2 + rows.Length));
             for (int k = 0; k < rows.Length; k++)
             {
-                double twist = double.Parse(rows[k].Split('|')[5].Replace("†", ""), System.Globalization.CultureInfo.InvariantCulture);
-                Assert.That(twist, Is.EqualTo(measured.Wings[k].TwistPpDeg).Within(0.5), "run the command figures");
+                Assert.That(now[2 + k][..3], Is.EqualTo(rows[k][..3]));
+                for (int cell = 3; cell < rows[k].Length; cell++)
+                {
+                    double[] here = Numbers(now[2 + k][cell]), there = Numbers(rows[k][cell]);
+                    Assert.That(here, Has.Length.EqualTo(there.Length), $"{now[0][cell]}: {now[2 + k][cell]}");
+                    for (int number = 0; number < here.Length; number++)
+                        Assert.That(here[number], Is.EqualTo(there[number]).Within(0.5), "run the command figures");
+                }
             }
         }
+
+        [Test]
+        public void MarksAndSigns_OfThePagesNumbers_AreThoseOfItsCells()
+        {
+            FlightRecord flight = MonarchFlight.Level;
+            string[][] rows = SpeciesTable.Measured([FlightSummary.Of(flight)]).Select(row => row.ToArray()).ToArray();
+            WingSummary wing = FlightSummary.Of(flight).Main;
+            var told = rows[0].Zip(rows[2]).ToDictionary(cell => cell.First, cell => cell.Second);
+
+            Assert.That((told["species"], told["variant"], told["wing"]), Is.EqualTo(("monarch", "standard", wing.Name)));
+            foreach ((string name, double value) in new[]
+            {
+                ("Hz", wing.FrequencyHz), ("twist p-p °", wing.TwistPpDeg), ("tip bend max °", wing.TipBendMaxDeg),
+                ("tip bend p-p °", wing.TipBendPpDeg), ("tip lag °", wing.TipLagDeg), ("lag °", wing.LagDeg),
+                ("stretch max %", wing.EdgeStretchMaxPct), ("stretch p99 %", wing.EdgeStretchP99Pct),
+                ("lift / weight", FlightSummary.Of(flight).LiftOverWeight),
+            })
+            {
+                Assert.That(Numbers(told[name])[0], Is.EqualTo(value).Within(0.0501), name);
+            }
+
+            Assert.That(Numbers(told["camber %"]), Is.EqualTo(new[] { wing.CamberMinPct, wing.CamberMaxPct }).Within(0.0501));
+        }
+
+        private static string[] Cells(string row) => row.Split('|')[1..^1].Select(cell => cell.Trim()).ToArray();
+
+        private static double[] Numbers(string cell) => Regex.Matches(cell, @"−?\d+(\.\d+)?")
+            .Select(match => double.Parse(match.Value.Replace('−', '-'), System.Globalization.CultureInfo.InvariantCulture)).ToArray();
 
         [Test]
         public void APart_IsReplaced_AndTheRestOfThePageStays()

@@ -173,6 +173,33 @@ public sealed class FlightRunLaws
         }
     }
 
+    // [chain · (m − 1) + bone], and joints by [chain · m + joint].
+    [Test]
+    public void JointsAndBendsOfAFrame_LieChainByChain()
+    {
+        FlightPlan plan = new() { Species = "dragonfly", Substeps = 12, Patches = 64, Speed = 1.3 };
+        using var wings = new TetheredWings(plan, Insect.Of(plan));
+        wings.World.Step(0.01f);
+        wings.World.Skin();
+        for (int wing = 0; wing < 4; wing++)
+        {
+            RecordedFrame frame = wings.FrameOf(wing, 0.25);
+            WingReading reading = wings.Read(wing);
+            int joints = reading.JointsPerChain, k = 0;
+            Assert.That((frame.Joints.Length, frame.Bends.Length, frame.Time),
+                Is.EqualTo((reading.ChainCount * joints, reading.ChainCount * (joints - 1), 0.25)));
+            for (int chain = 0; chain < reading.ChainCount; chain++)
+            {
+                for (int bone = 0; bone < joints - 1; bone++, k++)
+                    Assert.That(math.distance(frame.Bends[k], reading.BendAngles(chain, bone)), Is.Zero);
+                for (int joint = 0; joint < joints; joint++)
+                    Assert.That(math.distance(frame.Joints[chain * joints + joint], reading.JointPosition(chain, joint)), Is.Zero);
+            }
+
+            Assert.That(frame.Bends.Select(bend => bend.x).Distinct().Count(), Is.GreaterThan(frame.Bends.Length / 2), "all differ");
+        }
+    }
+
     [TestCase(9, 20, 1.125)]
     [TestCase(4, 30, 1.2)]
     [TestCase(8, 25, 1.0)]

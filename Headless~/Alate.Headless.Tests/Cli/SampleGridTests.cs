@@ -92,6 +92,30 @@ namespace Alate.Tests.Cli
             Assert.That(pixels[0].r == 255 && pixels[5].r == 255, Is.True);
         }
 
+        // The tent: a ninth at its top, a third of that for each sample aside, to 0 in the neighbour's middle.
+        [Test]
+        public void ASample_WeighsByTheTent_InThePixelsAroundIt()
+        {
+            for (int sample = 0; sample < 9 * 12; sample++)
+            {
+                int x = sample % 9, y = sample / 9;
+                var grid = new SampleGrid(3, 4);
+                grid.Add(x, y, 1f, new float4(0f, 0f, 0f, 1f), 0);
+                Color32[] pixels = grid.Pixels(s_Paper);
+                for (int k = 0; k < pixels.Length; k++)
+                {
+                    int right = System.Math.Abs(x - 3 * (k % 3) - 1), down = System.Math.Abs(y - 3 * (k / 3) - 1);
+                    double weight = System.Math.Max(3 - right, 0) * System.Math.Max(3 - down, 0) / 81.0;
+                    // Beyond the edge the outermost samples go on.
+                    if ((x == 0 || x == 8) && right == 1)
+                        weight *= 3.0 / 2;
+                    if ((y == 0 || y == 11) && down == 1)
+                        weight *= 3.0 / 2;
+                    Assert.That(pixels[k].r, Is.EqualTo(255 * (1 - weight)).Within(0.51), $"{x}, {y} in {k}");
+                }
+            }
+        }
+
         private static void Fill(SampleGrid grid, float depth, float4 light, int surface)
         {
             for (int k = 0; k < SampleGrid.k_Fineness * SampleGrid.k_Fineness; k++)

@@ -99,6 +99,23 @@ public sealed class StudyTableLaws
     }
 
     [Test]
+    public void ThePageOfAccuracy_GetsItsThreeTables_AndTwoPictures()
+    {
+        SpeciesConvergence[] errors = [new SpeciesConvergence(new FlightPlan { Species = "firefly" }, "Firefly", [s_Wing])];
+        SpeciesWinds[] winds = [new SpeciesWinds(new FlightPlan { Species = "snailfish" }, "Snailfish", 0.1, [s_Winds])];
+        string Page(string one, string two, string three) => "a\n" + PageBlock.Begin("errors") + one + PageBlock.End("errors") + "\nb\n"
+            + PageBlock.Begin("converged values") + two + PageBlock.End("converged values") + PageBlock.Begin("winds") + three
+            + PageBlock.End("winds");
+        (string Name, string Text)[] files = [.. AccuracyFigures.Make(Page("x\n", "y\n", "z\n"), errors, winds)];
+
+        Assert.That(files.Select(file => file.Name), Is.EqualTo(AccuracyFigures.Files));
+        Assert.That(files[0].Text, Is.EqualTo(Page(MarkdownTable.Write(AccuracyTable.Errors(errors)),
+            MarkdownTable.Write(AccuracyTable.Values(errors)), MarkdownTable.Write(AccuracyTable.Winds(winds)))));
+        Assert.That(files[1].Text, Is.EqualTo(ConvergencePicture.Draw(errors)));
+        Assert.That(files[2].Text, Is.EqualTo(WindPicture.Draw(winds, false)));
+    }
+
+    [Test]
     public void RowsOfATrim_HaveEachNumberUnderItsName_AndNoneWhereItDoesNotClose()
     {
         var row = new TrimRow(1.25, -0.5, true, 1.125, 2.25, 3.5, 4.5, 0.875, 5.5, 6.5, 7.5, 0.00125, 0.0025, 0.00375, null);
@@ -249,7 +266,7 @@ public sealed class StudyTableLaws
     public void StiffnessOfTheInsects_IsThatOfAllChains_OverMeasuredWingsOfTheSpan()
     {
         bool done = false;
-        ValidationRow[] rows = [.. StructureRows.Insects(() => done = true)];
+        ValidationRow[] rows = [.. StructureRows.Insects(new Fineness(24, 48), () => done = true)];
 
         Assert.That(done, Is.True);
         Assert.That(rows, Has.Length.EqualTo(InsectCatalogue.All.Count - 1), "all but the fish");

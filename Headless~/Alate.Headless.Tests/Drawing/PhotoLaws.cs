@@ -211,6 +211,8 @@ public sealed class PhotoLaws
 
     [TestCase(20f, 20f, 6f)]
     [TestCase(20.5f, 17.25f, 4.5f)]
+    [TestCase(9.25f, 30f, 5f)]
+    [TestCase(31f, 8.5f, 5f)]
     public void ADisc_HasTheSamplesWithinItsRadius_WhereNothingIsNearer(float x, float y, float radius)
     {
         SampleGrid plain = new(14, 14), drawn = new(14, 14);

@@ -73,10 +73,16 @@ internal sealed class InducedStream
     // A share of what lacks, the share by Aitken's rule from how the last one changed the lack (Küttler and Wall 2008).
     private float3 Move(float3 lack)
     {
-        float3 change = lack - m_Lack;
-        if (math.lengthsq(m_Lack) > 0f && math.lengthsq(change) > 0f)
-            m_Share = math.clamp(-m_Share * math.dot(m_Lack, change) / math.lengthsq(change), k_LeastShare, k_MostShare);
+        m_Share = Share(m_Share, m_Lack, lack);
         m_Lack = lack;
         return m_Share * lack;
+    }
+
+    internal static float Share(float last, float3 lackBefore, float3 lack)
+    {
+        float3 change = lack - lackBefore;
+        return math.lengthsq(lackBefore) > 0f && math.lengthsq(change) > 0f
+            ? math.clamp(-last * math.dot(lackBefore, change) / math.lengthsq(change), k_LeastShare, k_MostShare)
+            : last;
     }
 }

@@ -17,8 +17,13 @@ internal static class AccuracyFigures
     public static IEnumerable<(string Name, string Text)> Make(string page)
     {
         var flights = InsectCatalogue.All.Select(species => FlightPlan.Cruise(species, InsectVariant.Standard)).ToList();
-        List<SpeciesConvergence> errors = SpeciesConvergence.Measure(new ConvergencePlan(flights), _ => { });
-        List<SpeciesWinds> winds = SpeciesWinds.Measure(new WindPlan(flights, WindPlan.DefaultSpeeds, false), _ => { });
+        return Make(page, SpeciesConvergence.Measure(new ConvergencePlan(flights), _ => { }),
+            SpeciesWinds.Measure(new WindPlan(flights, WindPlan.DefaultSpeeds, false), _ => { }));
+    }
+
+    internal static IEnumerable<(string Name, string Text)> Make(
+        string page, IReadOnlyList<SpeciesConvergence> errors, IReadOnlyList<SpeciesWinds> winds)
+    {
         page = PageBlock.Replace(page, "errors", MarkdownTable.Write(AccuracyTable.Errors(errors)));
         page = PageBlock.Replace(page, "converged values", MarkdownTable.Write(AccuracyTable.Values(errors)));
         page = PageBlock.Replace(page, "winds", MarkdownTable.Write(AccuracyTable.Winds(winds)));

@@ -22,16 +22,16 @@ internal static class FlightFigures
     /// <summary>The page with its tables written again.</summary>
     public static string Make(string page)
     {
-        page = PageBlock.Replace(page, "steady flights", MarkdownTable.Write(Steady()));
+        page = PageBlock.Replace(page, "steady flights", MarkdownTable.Write(Steady(InsectCatalogue.All)));
         page = PageBlock.Replace(page, "flights beside measurements", MarkdownTable.Write(Measured()));
-        return PageBlock.Replace(page, "the dragonfly beside measurements", MarkdownTable.Write(MeasuredDragonflies()));
+        return PageBlock.Replace(page, "the dragonfly beside measurements", MarkdownTable.Write(MeasuredDragonflies(MeasuredDragonfly.Flights)));
     }
 
-    private static IEnumerable<string[]> Steady()
+    internal static IEnumerable<string[]> Steady(IEnumerable<InsectDefinition> insects)
     {
         yield return ["", "speed m/s", "pitch", "frequency Hz", "flap", "lift in the downstroke", "upstroke's share of the lift",
             "power W/kg"];
-        foreach (InsectDefinition insect in InsectCatalogue.All.Where(insect => insect.Variants.Contains(InsectVariant.Flight)))
+        foreach (InsectDefinition insect in insects.Where(insect => insect.Variants.Contains(InsectVariant.Flight)))
         {
             using FlightModel model = CatalogueFlight.CreateModel(insect);
             using TrimTable table = CatalogueFlight.CreateTable(insect, model);
@@ -48,7 +48,7 @@ internal static class FlightFigures
         }
     }
 
-    private static IEnumerable<string[]> Measured()
+    internal static IEnumerable<string[]> Measured()
     {
         InsectDefinition monarch = InsectCatalogue.Find("monarch");
         using FlightModel model = CatalogueFlight.CreateModel(monarch);
@@ -71,7 +71,7 @@ internal static class FlightFigures
     }
 
     // Trims at the speeds and climbs of the flights in the tunnel.
-    private static IEnumerable<string[]> MeasuredDragonflies()
+    internal static IEnumerable<string[]> MeasuredDragonflies(IReadOnlyList<MeasuredDragonfly> flights)
     {
         InsectDefinition dragonfly = InsectCatalogue.Find("dragonfly");
         using FlightModel model = CatalogueFlight.CreateModel(dragonfly);
@@ -79,7 +79,7 @@ internal static class FlightFigures
         var bake = new TrimBake(model);
         yield return ["speed, climb, m/s", "", "frequency Hz", "flap of the fore wing", "of the hind wing", "stroke plane of the fore wing",
             "of the hind wing", "pitch of the body"];
-        foreach (MeasuredDragonfly measured in MeasuredDragonfly.Flights)
+        foreach (MeasuredDragonfly measured in flights)
         {
             IReadOnlyList<PresetKinematics> motion = DragonflyRun.Kinematics(measured);
             using var grid = new TrimTable(

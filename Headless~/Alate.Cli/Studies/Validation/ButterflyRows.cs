@@ -17,9 +17,9 @@ internal static class ButterflyRows
         k_Attitude = "the model's monarch flies at another pitch and stroke plane";
 
     /// <summary>The monarch carried by its own wings.</summary>
-    public static IEnumerable<ValidationRow> Free(Action done)
+    public static IEnumerable<ValidationRow> Free(Fineness fineness, Action done)
     {
-        FreeMonarch ours = FreeMonarch.Fly(DragonflyRows.Substeps), fine = FreeMonarch.Fly(DragonflyRows.FineSubsteps);
+        FreeMonarch ours = FreeMonarch.Fly(fineness.Substeps), fine = FreeMonarch.Fly(fineness.Fine);
         done();
         string pitching = Text(
             $"the model's monarch bobs by ±{fine.PitchBob:0.0}° of pitch, the measured one by ±8.3°, and its upstroke pulls it down");
@@ -36,17 +36,15 @@ internal static class ButterflyRows
         yield return new ValidationRow("monarch, free flight: bob of the pitch, half of its range, °", 5.3, 11.3,
             "8.3; ± 3 is our tolerance", k_Kang, ours.PitchBob, fine.PitchBob, "level flight, not a climb; the abdomen is rigid");
         done();
-        foreach (ValidationRow row in Climbing())
-            yield return row;
-        done();
     }
 
-    private static IEnumerable<ValidationRow> Climbing()
+    /// <summary>The monarch in the climb that was measured.</summary>
+    public static IEnumerable<ValidationRow> Climbing(Fineness fineness, Action done)
     {
         const double k_Pitch = 18.6, k_Plane = 25.4;
-        TrimState climb = FreeMonarch.Climb(DragonflyRows.Substeps, null, (Radians(k_Pitch), Radians(k_Plane)), out _);
+        TrimState climb = FreeMonarch.Climb(fineness.Substeps, null, (Radians(k_Pitch), Radians(k_Plane)), out _);
         TrimState fine = FreeMonarch.Climb(
-            DragonflyRows.FineSubsteps, climb, (Radians(k_Pitch), Radians(k_Plane)), out (double Up, double Ahead) force);
+            fineness.Fine, climb, (Radians(k_Pitch), Radians(k_Plane)), out (double Up, double Ahead) force);
         (double bob, double fineBob) = FreeMonarch.ClimbingBobs(k_Finer, out double left);
         string cause = "with the beat of the trim, at the pitch and stroke plane of the animal, the wings would carry "
             + Text($"{force.Up:0.00} of the weight and push by {force.Ahead:0.00} of it: the model has no other means to turn its force ")
@@ -60,15 +58,16 @@ internal static class ButterflyRows
             "25.4; ± 5 is our tolerance", k_Kang,
             Degrees(climb?.Pitch + climb?.Tilt), Degrees(fine?.Pitch + fine?.Tilt),
             "as with the pitch: the stroke plane is raised with the body");
+        done();
     }
 
     /// <summary>The wings of a monarch that is held at 1.3 m/s, level and nose up by 30°, at two finenesses of time.</summary>
-    public static IEnumerable<ValidationRow> Held(Action done)
+    public static IEnumerable<ValidationRow> Held(Fineness fineness, Action done)
     {
         foreach (double pitch in new[] { 0.0, 30.0 })
         {
-            FlightRecord soft = Fly(false, DragonflyRows.Substeps, pitch), fine = Fly(false, DragonflyRows.FineSubsteps, pitch);
-            FlightRecord stiff = Fly(true, DragonflyRows.Substeps, pitch), fineStiff = Fly(true, DragonflyRows.FineSubsteps, pitch);
+            FlightRecord soft = Fly(false, fineness.Substeps, pitch), fine = Fly(false, fineness.Fine, pitch);
+            FlightRecord stiff = Fly(true, fineness.Substeps, pitch), fineStiff = Fly(true, fineness.Fine, pitch);
             string held = pitch == 0 ? "monarch held level at 1.3 m/s" : "monarch held at 1.3 m/s, nose up by 30°";
             double push = Thrust(fine), stiffPush = Thrust(fineStiff), ratio = 100 * stiffPush / push;
             yield return pitch == 0

@@ -27,7 +27,7 @@ internal static class DragonflyRows
         + "cone: it misses the dip of the measured angle at a third of the beat";
 
     /// <summary>Weight support and thrust of the three flights.</summary>
-    public static IEnumerable<ValidationRow> Flights(Action done)
+    public static IEnumerable<ValidationRow> Flights(Fineness fineness, Action done)
     {
         for (int k = 0; k < MeasuredDragonfly.Flights.Count; k++)
         {
@@ -53,8 +53,8 @@ internal static class DragonflyRows
             foreach ((bool rigid, double wake, bool own) in new[] { (true, 0.0, false), (true, 1.0, false), (false, 0.0, false),
                 (true, 0.0, true), (true, 1.0, true) })
             {
-                DragonflyRun ours = DragonflyRun.Fly(flight, rigid, Substeps, wake, ownDrag: own),
-                    fine = DragonflyRun.Fly(flight, rigid, FineSubsteps, wake, ownDrag: own);
+                DragonflyRun ours = DragonflyRun.Fly(flight, rigid, fineness.Substeps, wake, ownDrag: own),
+                    fine = DragonflyRun.Fly(flight, rigid, fineness.Fine, wake, ownDrag: own);
                 string wings = (rigid ? "rigid wings" : "flexible wings") + Inflow(fine, wake) + (own ? k_OwnDrag : "");
                 yield return new ValidationRow(
                     $"dragonfly, flight {k + 1}, {wings}: lift over weight", 1 - k_Bearing, 1 + k_Bearing, "1 ± 0.12: steady flight",
@@ -71,7 +71,7 @@ internal static class DragonflyRows
     }
 
     /// <summary>The tethered insect's vertical force.</summary>
-    public static IEnumerable<ValidationRow> Tethered(Action done)
+    public static IEnumerable<ValidationRow> Tethered(Fineness fineness, Action done)
     {
         MeasuredDragonfly flight = MeasuredDragonfly.Tethered;
         IReadOnlyList<double> measured = MeasuredDragonfly.TetheredForce;
@@ -81,8 +81,8 @@ internal static class DragonflyRows
         {
             string cause = wake > 0 ? k_Even : Still(flight);
             double band = wake > 1 ? k_WithWake : k_WithInflow;
-            DragonflyRun run = DragonflyRun.Fly(flight, true, Substeps, wake, addedMass, own),
-                finer = DragonflyRun.Fly(flight, true, FineSubsteps, wake, addedMass, own);
+            DragonflyRun run = DragonflyRun.Fly(flight, true, fineness.Substeps, wake, addedMass, own),
+                finer = DragonflyRun.Fly(flight, true, fineness.Fine, wake, addedMass, own);
             string name = "tethered dragonfly" + (wake > 0 ? Inflow(finer, wake) : ", no induced flow") + (addedMass ? ", added mass" : "")
                 + (own ? k_OwnDrag : "");
             double[] ours = run.Even(run.Lift, k_Places), fine = finer.Even(finer.Lift, k_Places);
@@ -135,11 +135,11 @@ internal static class DragonflyRows
         .Average(n => curve[n]);
 
     /// <summary>Curves over the beat of the tethered insect, at t/T = 0, 0.02, …</summary>
-    public static List<ValidationCurve> Curves()
+    public static List<ValidationCurve> Curves(int substeps)
     {
         MeasuredDragonfly flight = MeasuredDragonfly.Tethered;
-        DragonflyRun still = DragonflyRun.Fly(flight, true, Substeps), rigid = DragonflyRun.Fly(flight, true, Substeps, 1),
-            soft = DragonflyRun.Fly(flight, false, Substeps, 1);
+        DragonflyRun still = DragonflyRun.Fly(flight, true, substeps), rigid = DragonflyRun.Fly(flight, true, substeps, 1),
+            soft = DragonflyRun.Fly(flight, false, substeps, 1);
         RecordedWing wing = soft.Record.Wings[0];
         List<BeatFrame> beat = wing.Beat;
         List<BladeElements.Moment> blades = BladeElements.Curve(flight, BladeElements.Point.MidChord, rigid.Record.InducedVelocity);

@@ -18,22 +18,22 @@ internal static class StructureRows
     private static readonly double[] s_Droops = [0.002, 0.01, 0.05, 0.2, 0.5];
 
     /// <summary>Strips that droop, at five loads and with more bones.</summary>
-    public static IEnumerable<ValidationRow> Droops(Action done)
+    public static IEnumerable<ValidationRow> Droops(Fineness fineness, Action done)
     {
         foreach (double load in s_Droops)
-            yield return Droop(k_Bones, load);
-        yield return Droop(k_MoreBones, s_Droops[^1]);
+            yield return Droop(k_Bones, load, fineness);
+        yield return Droop(k_MoreBones, s_Droops[^1], fineness);
         done();
     }
 
     /// <summary>Strips on a clamp that is shaken, and strips that flap, below and above their first resonance.</summary>
-    public static IEnumerable<ValidationRow> Motions(Action done)
+    public static IEnumerable<ValidationRow> Motions(Fineness fineness, Action done)
     {
         foreach (double ratio in new[] { 0.5, 1, 1.5, 2 })
         {
             Complex beam = BeamTheory.Shaken(ratio, StripRun.Damping);
-            Complex ours = new StripRun(k_Bones, DragonflyRows.Substeps).Shaken(ratio),
-                fine = new StripRun(k_Bones, DragonflyRows.FineSubsteps).Shaken(ratio);
+            Complex ours = new StripRun(k_Bones, fineness.Substeps).Shaken(ratio),
+                fine = new StripRun(k_Bones, fineness.Fine).Shaken(ratio);
             foreach (ValidationRow row in Motion(
                 FormattableString.Invariant($"strip of {k_Bones} bones, root shaken at {ratio} of its first frequency"), "shake",
                 beam, ours, fine))
@@ -45,8 +45,8 @@ internal static class StructureRows
         foreach (double ratio in new[] { 0.2, 0.5, 1, 1.5 })
         {
             Complex beam = BeamTheory.Turned(ratio, StripRun.Damping);
-            Complex ours = new StripRun(k_Bones, DragonflyRows.Substeps).Flapped(ratio),
-                fine = new StripRun(k_Bones, DragonflyRows.FineSubsteps).Flapped(ratio);
+            Complex ours = new StripRun(k_Bones, fineness.Substeps).Flapped(ratio),
+                fine = new StripRun(k_Bones, fineness.Fine).Flapped(ratio);
             foreach (ValidationRow row in Motion(
                 FormattableString.Invariant($"strip of {k_Bones} bones, flapping at {ratio} of its first frequency"), "stroke",
                 beam, ours, fine))
@@ -59,12 +59,12 @@ internal static class StructureRows
     }
 
     /// <summary>Stiffness of the catalogue's insects, which the factors of their presets make.</summary>
-    public static IEnumerable<ValidationRow> Insects(Action done)
+    public static IEnumerable<ValidationRow> Insects(Fineness fineness, Action done)
     {
         foreach (InsectDefinition insect in InsectCatalogue.All.Where(insect => insect.Name != "snailfish"))
         {
-            (string wing, WingStiffness stiffness) = Stiffness(insect, DragonflyRows.Substeps);
-            (_, WingStiffness fine) = Stiffness(insect, DragonflyRows.FineSubsteps);
+            (string wing, WingStiffness stiffness) = Stiffness(insect, fineness.Substeps);
+            (_, WingStiffness fine) = Stiffness(insect, fineness.Fine);
             yield return new ValidationRow(
                 $"{insect.Name}, {wing}: flexural stiffness EI of all chains over that of measured wings of its span",
                 1 / k_Scatter, k_Scatter,
@@ -86,15 +86,15 @@ internal static class StructureRows
         return (wings.All[0].Wing.Name, wings.All[0].Stiffness);
     }
 
-    private static ValidationRow Droop(int bones, double load)
+    private static ValidationRow Droop(int bones, double load, Fineness fineness)
     {
         double weight = 8 * load, beam = 100 * BeamTheory.Droop(weight);
         return new ValidationRow(
             FormattableString.Invariant(
                 $"strip of {bones} bones under a weight of {weight:0.###} EI/L²: droop of the tip, % of the length"),
             (1 - k_Beam) * beam, (1 + k_Beam) * beam, FormattableString.Invariant($"{beam:0.000} ± 3 %"), k_Elastica,
-            100 * new StripRun(bones, DragonflyRows.Substeps).Droop(weight),
-            100 * new StripRun(bones, DragonflyRows.FineSubsteps).Droop(weight), "hinges in place of a curve");
+            100 * new StripRun(bones, fineness.Substeps).Droop(weight),
+            100 * new StripRun(bones, fineness.Fine).Droop(weight), "hinges in place of a curve");
     }
 
     internal static IEnumerable<ValidationRow> Motion(string title, string moved, Complex beam, Complex ours, Complex fine)
