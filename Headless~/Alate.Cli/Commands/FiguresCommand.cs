@@ -9,7 +9,9 @@ internal static class FiguresCommand
         k_Gallery = "images/insects.png",
         k_Film = "images/monarch-film.png", k_Stretch = "images/stretch-monarch.png", k_Veins = "images/veins.svg";
 
-    private const int k_GalleryWidth = 1230;
+    /// <summary>Pixels of the picture of all insects.</summary>
+    internal const int GalleryWidth = 1230;
+
     private const string k_Hero = "monarch";
     private const int k_Phases = 3;
 
@@ -44,6 +46,21 @@ internal static class FiguresCommand
     private static List<string> Pictures =>
         [k_Sweep, k_SweepCharts, k_Gallery, k_Film, k_Stretch, k_Veins,
             .. InsectCatalogue.Names.SelectMany(name => new[] { Portrait(name), Compared(name) })];
+
+    /// <summary>The film of the front page.</summary>
+    internal static FilmPlan HeroFilm => new()
+    {
+        Flight = FlightPlan.Cruise(InsectCatalogue.Find(k_Hero), InsectVariant.Expressive),
+        Beats = 3,
+        Turn = 360,
+    };
+
+    /// <summary>The sweep of the page of species.</summary>
+    internal static SweepPlan SweptElasticity => new(FlownParameters.Find("elasticity"), 0.25, 4, SweepPlan.DefaultSteps,
+        Plan(InsectCatalogue.Find("fishfly")) with { Substeps = k_SweptSubsteps }, SweepWaves.Both);
+
+    /// <summary>The comparisons of the page of species.</summary>
+    internal static ComparisonPlan Comparisons => new(InsectCatalogue.All.Select(Plan).ToList(), ComparisonColumn.All, k_Phases);
 
     private static void Run(string path, TextWriter output)
     {
@@ -97,21 +114,17 @@ internal static class FiguresCommand
                 folder.Write(k_Stretch, stream => stream.Write(StretchMap.Draw(flight)));
         }
 
-        folder.Write(k_Gallery, stream => stream.Write(Gallery.Draw(k_GalleryWidth)));
+        folder.Write(k_Gallery, stream => stream.Write(Gallery.Draw(GalleryWidth)));
         stage("comparing");
-        var comparisons = new ComparisonPlan(InsectCatalogue.All.Select(Plan).ToList(), ComparisonColumn.All, k_Phases);
-        foreach (Comparison comparison in Comparison.Fly(comparisons, _ => { }))
+        foreach (Comparison comparison in Comparison.Fly(Comparisons, _ => { }))
             folder.Write(Compared(comparison.Plan.Species), stream => stream.Write(ComparisonPicture.Draw(comparison)));
         stage("sweeping");
-        FlightPlan fishfly = Plan(InsectCatalogue.Find("fishfly")) with { Substeps = k_SweptSubsteps };
-        var sweep = new SweepPlan(FlownParameters.Find("elasticity"), 0.25, 4, SweepPlan.DefaultSteps, fishfly, SweepWaves.Both);
-        var swept = Sweep.Fly(sweep, _ => { });
+        var swept = Sweep.Fly(SweptElasticity, _ => { });
         folder.Write(k_Sweep, stream => stream.Write(SweepPicture.DrawPoses(swept)));
         Write(folder, k_SweepCharts, SweepPicture.DrawCharts(swept));
         Write(folder, k_Veins, VeinFigure.Draw());
         stage("filming");
-        var film = Film.Fly(
-            new FilmPlan { Flight = FlightPlan.Cruise(InsectCatalogue.Find(k_Hero), InsectVariant.Expressive), Beats = 3, Turn = 360 });
+        var film = Film.Fly(HeroFilm);
         folder.Write(k_Film, stream => stream.Write(film.Animation(film.Draw(_ => { }))));
     }
 

@@ -77,7 +77,8 @@ internal static class TrimCommand
     private static List<float> List(double[] given, IReadOnlyList<float> otherwise) =>
         given is { Length: > 0 } ? given.Select(value => (float)value).Distinct().Order().ToList() : otherwise.ToList();
 
-    private static string Asked(string option, List<float> values, IReadOnlyList<float> otherwise) =>
+    /// <summary>Option with values that are not the default's, as the source of a table tells it; empty for the default's.</summary>
+    internal static string Asked(string option, List<float> values, IReadOnlyList<float> otherwise) =>
         values.SequenceEqual(otherwise)
         ? ""
         : $" {option} {string.Join(',', values.Select(value => value.ToString(CultureInfo.InvariantCulture)))}";

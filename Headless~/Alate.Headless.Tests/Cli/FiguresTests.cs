@@ -96,6 +96,32 @@ namespace Alate.Tests.Cli
             .Select(match => double.Parse(match.Value.Replace('−', '-'), System.Globalization.CultureInfo.InvariantCulture)).ToArray();
 
         [Test]
+        public void PlansOfThePictures_AreThoseOfThePicturesThatLieThere()
+        {
+            string images = Path.Combine(s_Folder, "images");
+            FilmPlan film = FiguresCommand.HeroFilm;
+            var shown = new ApngPlayer(File.ReadAllBytes(Path.Combine(images, "monarch-film.png")));
+            Assert.That((shown.Frames.Count, shown.Width), Is.EqualTo((film.Beats * film.Frames, film.Width)));
+            Assert.That((film.Flight.Species, film.Turn), Is.EqualTo(("monarch", 360.0)), "the camera goes around");
+            Assert.That(film.Flight.Variant, Is.EqualTo(InsectVariant.Expressive), "the front page: the softer variants");
+
+            SweepPlan sweep = FiguresCommand.SweptElasticity;
+            string[] told = PngTexts.Of(Path.Combine(images, "sweep-elasticity.png"));
+            Assert.That(told, Is.SupersetOf(sweep.Values.Select(Alate.Drawing.LineChart.Label)));
+            Assert.That(told[0], Is.EqualTo($"Fishfly: {sweep.Parameter.Title}"));
+            Assert.That((sweep.Values.Count, sweep.Waves, sweep.Flight.Species), Is.EqualTo((5, SweepWaves.Both, "fishfly")));
+            Assert.That(sweep.Flight.Substeps, Is.GreaterThan(96), "the page: in 96 substeps and fewer the last number has not converged");
+
+            ComparisonPlan comparisons = FiguresCommand.Comparisons;
+            Assert.That(comparisons.Flights.Select(flight => flight.Species), Is.EqualTo(InsectCatalogue.Names));
+            string[] phases = PngTexts.Of(Path.Combine(images, "compare-monarch.png")).Where(text => Regex.IsMatch(text, @"^\d+°$")).ToArray();
+            Assert.That(phases, Is.EqualTo(Enumerable.Range(0, comparisons.Phases).Select(k => $"{360 * k / comparisons.Phases}°")));
+            Assert.That(comparisons.Columns, Is.EqualTo(ComparisonColumn.All));
+            byte[] gallery = File.ReadAllBytes(Path.Combine(images, "insects.png"));
+            Assert.That(gallery[18] << 8 | gallery[19], Is.EqualTo(FiguresCommand.GalleryWidth));
+        }
+
+        [Test]
         public void APart_IsReplaced_AndTheRestOfThePageStays()
         {
             string page = "a\n" + PageBlock.Begin("x") + "old\n" + PageBlock.End("x") + "\nb\n";

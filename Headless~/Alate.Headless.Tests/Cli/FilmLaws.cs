@@ -102,6 +102,17 @@ public sealed class FilmLaws
         Assert.That(stretch.Beat.Insect.Name, Is.EqualTo("monarch"));
     }
 
+    // A free flight steps by a millisecond at least, and by a twentieth of a second at most.
+    [TestCase("firefly", 40, 0.001)]
+    [TestCase("snailfish", 4, 0.05)]
+    public void AFrameOfAFreeFilm_IsNoShorterAndNoLongerThanAStepMayBe(string species, int frames, double step)
+    {
+        var film = FreeStretch.Fly(new FilmPlan { Flight = new FlightPlan { Species = species }, Beats = 1, Frames = frames });
+        double frequency = film.Beat.Wings[0].Frequency, turns = film.At(1).Turns - film.At(0).Turns;
+
+        Assert.That(turns - Math.Floor(turns), Is.EqualTo(frequency * step).Within(15).Percent);
+    }
+
     // Beats that answer along a line, lack = b − c v: the share of Aitken's rule is the one that ends it, 1/c, between 0.05 and 1.
     [TestCase(2.0, 0.5)]
     [TestCase(5.0, 0.2)]

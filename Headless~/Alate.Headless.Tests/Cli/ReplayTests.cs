@@ -3,7 +3,11 @@ using System.Collections.Generic;
 using System.Diagnostics;
 using System.IO;
 using System.Linq;
+using Alate.Catalogue;
+using Alate.Cli;
+using Alate.Flight;
 using NUnit.Framework;
+using Unity.Mathematics;
 
 namespace Alate.Tests.Cli
 {
@@ -104,6 +108,39 @@ namespace Alate.Tests.Cli
         {
             using var run = new CommandRun();
             AssertRefused(run, "was flown by the monarch", "moth", "--free", "--replay", m_File);
+        }
+
+        // A scene may place wings otherwise: each stands for the nearest of its side.
+        [Test]
+        public void ARecordingOfAScene_IsFlownWithItsWings()
+        {
+            InsectDefinition monarch = InsectCatalogue.Find("monarch");
+            using FlightModel own = CatalogueFlight.CreateModel(monarch);
+            var recording = new FlightRecording();
+            foreach (FlightWing wing in own.Wings)
+            {
+                recording.Wings.Add(
+                    new RecordedPlace { hinge = wing.Hinge + new float3(0.0001f, 0.0002f, 0.0003f), axes = wing.Axes });
+            }
+
+            using (FlightModel model = new Replay(monarch, recording).CreateModel())
+            {
+                Assert.That(model.Wings.Count, Is.EqualTo(own.Wings.Count));
+                for (int k = 0; k < own.Wings.Count; k++)
+                {
+                    Assert.That(math.distance(model.Wings[k].Hinge, recording.Wings[k].hinge), Is.Zero);
+                    Assert.That(model.Wings[k].IsLeft, Is.EqualTo(own.Wings[k].IsLeft));
+                }
+
+                Assert.That((model.Mass, model.FluidDensity, model.GravityShare),
+                    Is.EqualTo((own.Mass, own.FluidDensity, own.GravityShare)));
+            }
+
+            using (FlightModel plain = new Replay(monarch, new FlightRecording()).CreateModel())
+                Assert.That(math.distance(plain.Wings[0].Hinge, own.Wings[0].Hinge), Is.Zero, "those of the catalogue");
+            recording.Wings.RemoveAt(0);
+            Assert.That(() => new Replay(monarch, recording).CreateModel(), Throws.TypeOf<UserException>().With.Message
+                .EqualTo("The recording has 1 wings, which are not those of the Monarch."));
         }
 
         private static string Cli => Path.Combine(AppContext.BaseDirectory, "Alate.Cli.dll");

@@ -4,6 +4,7 @@ using System.IO;
 using System.Linq;
 using System.Xml.Linq;
 using Alate.Catalogue;
+using Alate.Cli;
 using Alate.Flight;
 using NUnit.Framework;
 
@@ -12,6 +13,14 @@ namespace Alate.Tests.Cli
     /// <summary>Files of the command trim.</summary>
     public sealed class TrimTests
     {
+        [Test]
+        public void TheSourceOfATable_TellsTheOptionsThatAreNotTheDefaults()
+        {
+            Assert.That(TrimCommand.Asked("--speeds", [0f, 1.5f], [0f, 1.5f]), Is.Empty);
+            Assert.That(TrimCommand.Asked("--speeds", [0f, 1.5f], [0f, 1f]), Is.EqualTo(" --speeds 0,1.5"));
+            Assert.That(TrimCommand.Asked("--climbs", [-0.25f], []), Is.EqualTo(" --climbs -0.25"));
+        }
+
         private CommandRun m_Run;
         private string[] m_Lines;
 
