@@ -1,5 +1,8 @@
+using System.Globalization;
+using System.IO;
 using System.Linq;
 using System.Reflection;
+using System.Text.RegularExpressions;
 using Alate.Cli;
 using NUnit.Framework;
 
@@ -39,6 +42,27 @@ public sealed class FlightNumbersTests
         foreach (FlightNumber number in s_All.Where(number => number.Of != null && number != FlightNumbers.Speed))
             Assert.That(number.Of(new FlightPlan()), Is.EqualTo(number.Default), number.Name);
         Assert.That(new FreePlan().Step, Is.EqualTo(FlightNumbers.Step.Default));
+    }
+
+    [Test]
+    public void RangesOfTheSliders_AreThoseOfTheManual()
+    {
+        string page = File.ReadAllText(Path.Combine(PackageRoot.Find(), "Documentation~", "live-view.md"));
+        (double, double)[] Told(string row) => Regex.Matches(
+            Regex.Match(page, $@"^\| {row} \|(.*)$", RegexOptions.Multiline).Groups[1].Value, @"(−?[\d.]+) to ([\d.]+)")
+            .Select(range => (Number(range.Groups[1].Value), Number(range.Groups[2].Value))).ToArray();
+        double Number(string text) => double.Parse(text.Replace('−', '-'), CultureInfo.InvariantCulture);
+        (double, double)[] Of(params string[] names) =>
+            [.. names.Select(name => ViewSlider.All.Single(slider => slider.Name == name)).Select(slider => (slider.Min, slider.Max))];
+
+        Assert.That(Of("slow"), Is.EqualTo(Told("slow motion")));
+        Assert.That(Of("speed", "wind"), Is.EqualTo(Told("speed, head wind")));
+        Assert.That(Of("elasticity", "amplitude", "frequency"), Is.EqualTo(Told("elasticity, amplitude, frequency")));
+        Assert.That(Of("delay"), Is.EqualTo(Told("delay of the trailing edge")));
+        Assert.That(Of("substeps"), Is.EqualTo(new[] { ((double)WingParameters.MinSubsteps, (double)WingParameters.MaxSubsteps) }));
+        // Equal ways are equal ratios where a factor is asked for, from nought on equal differences.
+        Assert.That(ViewSlider.All.Where(slider => slider.IsLogarithmic).Select(slider => slider.Name),
+            Is.EquivalentTo(new[] { "slow", "elasticity", "frequency", "substeps" }));
     }
 
     [Test]

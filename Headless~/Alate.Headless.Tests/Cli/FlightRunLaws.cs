@@ -72,8 +72,20 @@ public sealed class FlightRunLaws
         Assert.That(record.Wings[0].Frames[0].Time, Is.EqualTo((beats - 11.0 / 12.0) / frequency).Within(1e-6));
         Assert.That(told, Is.Ordered.Ascending.And.Unique);
         Assert.That(told[^1], Is.EqualTo(flight.Steps));
+        int before = flight.Steps - 12;
+        Assert.That(told, Is.EqualTo(Enumerable.Range(1, before / 3).Select(k => 3 * k).Concat(Enumerable.Range(before + 1, 12))),
+            "four steps a beat, as in a game, and the last beat substep by substep");
         Assert.That(record.MicrosecondsPerSubstep, Is.InRange(0.1, 1e5));
     }
+
+    // The middle one of what is before the last beat, whose steps are recorded; of the last beat where there is nothing else.
+    [TestCase(new[] { 5.0, 1, 9, 100, 200 }, 2, 5)]
+    [TestCase(new[] { 9.0, 1, 4, 2, 100, 200 }, 2, 4)]
+    [TestCase(new[] { 7.0, 300, 200, 100 }, 3, 7)]
+    [TestCase(new[] { 3.0, 300, 2 }, 3, 3)]
+    [TestCase(new[] { 3.0, 300, 2 }, 8, 3)]
+    public void TheCostOfASubstep_IsTheMiddleOne(double[] costs, int last, double middle) =>
+        Assert.That(TetheredFlight.Median([.. costs], last), Is.EqualTo(middle));
 
     [Test]
     public void AFlightThatDrawsAirAlong_SettlesSixBeatsLonger()

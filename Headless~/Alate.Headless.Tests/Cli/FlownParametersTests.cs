@@ -51,7 +51,24 @@ namespace Alate.Tests.Cli
                 UnityEngine.RangeAttribute range = field.GetCustomAttribute<UnityEngine.RangeAttribute>();
                 FlownParameter parameter = FlownParameters.OfSpecies.Single(known => known.Name == Hyphenated(field.Name));
                 if (range != null)
-                    Assert.That((parameter.Min, parameter.Max), Is.EqualTo(((double)range.min, (double)range.max)), field.Name);
+                    Assert.That(((float)parameter.Min, (float)parameter.Max), Is.EqualTo((range.min, range.max)), field.Name);
+            }
+        }
+
+        // What a message calls the least and the most is taken: 0.1 in single precision is a little more than 0.1.
+        [Test]
+        public void EverySlider_TakesTheBoundsThatAreTold()
+        {
+            foreach (FieldInfo field in s_Sliders.Where(field => field.GetCustomAttribute<UnityEngine.RangeAttribute>() != null))
+            {
+                UnityEngine.RangeAttribute range = field.GetCustomAttribute<UnityEngine.RangeAttribute>();
+                FlownParameter parameter = FlownParameters.OfSpecies.Single(known => known.Name == Hyphenated(field.Name));
+                foreach (float bound in new[] { range.min, range.max })
+                {
+                    double typed = double.Parse(bound.ToString(System.Globalization.CultureInfo.InvariantCulture),
+                        System.Globalization.CultureInfo.InvariantCulture);
+                    Assert.That(typed, Is.InRange(parameter.Min, parameter.Max), field.Name);
+                }
             }
         }
 

@@ -81,6 +81,36 @@ namespace Alate.Tests.Cli
         [TestCase("'wide'", "wings.all.flap: it must be a number, or an object with mean and harmonics, or with a table.")]
         public void ABadAngle_IsOneLine(string flap, string message) => AssertRefused(k_Frame.Replace("FLAP", flap), message);
 
+        // Frequencies of the model, eight harmonics, half a turn, the four rows that a beat needs.
+        [TestCase(0.1, "{ 'mean': -180 }")]
+        [TestCase(1000, "180")]
+        [TestCase(20, "{ 'mean': 0, 'harmonics': [[180,2],[1,2],[1,2],[1,2],[1,2],[1,2],[1,2],[1,2]] }")]
+        [TestCase(20, "{ 'table': [[0, 1], [0.33333, 2], [0.66667, 0], [1, 1]] }")]
+        [TestCase(20, "{ 'table': [[0, 0], [0.25095, 1], [0.5, 0], [0.75, 1], [1, 0]] }")]
+        [TestCase(20, "{ 'table': [[0, 0], [0.25, 1], [0.5, 0], [0.75, 1], [1.00023, 0]] }")]
+        [TestCase(20, "{ 'table': [[0, 0], [0.25, 1], [0.5, 0], [0.75, 1], [1, 0.00095]] }")]
+        public void WhatIsJustWithin_IsTaken(double frequency, string flap) => Assert.That(
+            Read(k_Frame.Replace("20", FormattableString.Invariant($"{frequency}")).Replace("FLAP", flap)).Frequency,
+            Is.EqualTo((float)frequency));
+
+        // A thousandth of the beat, of the step and of the range; a step of one and a half others is a hole.
+        [TestCase("181", "wings.all.flap: 181° is beyond 180°; see the unit in 'angles'.")]
+        [TestCase("{ 'mean': 0, 'harmonics': [[-181, 0]] }", "wings.all.flap.harmonics[0]: -181° is beyond 180°; see the unit in 'angles'.")]
+        [TestCase("{ 'table': [[0, 1], [0.5, 3], [1, 1]] }", "wings.all.flap.table: it has 3 rows; a beat needs at least four, from 0 to 1.")]
+        [TestCase("{ 'table': [[0, 0], [0.25106, 1], [0.5, 0], [0.75, 1], [1, 0]] }",
+            "wings.all.flap.table: 0 and 0.25106 are not 0.25 apart; the rows must lie equally apart.")]
+        [TestCase("{ 'table': [[0, 0], [0.25, 1], [0.5, 0], [0.75, 1], [1.00026, 0]] }",
+            "wings.all.flap.table: it runs from 0 to 1.00026; it must run from 0 to 1.")]
+        [TestCase("{ 'table': [[0.0001, 0], [0.25, 1], [0.5, 0], [0.75, 1], [1, 0]] }",
+            "wings.all.flap.table: it runs from 0.0001 to 1; it must run from 0 to 1.")]
+        [TestCase("{ 'table': [[0, 0], [0.25, 1], [0.5, 0], [0.75, 1], [1, 0.00105]] }",
+            "wings.all.flap.table: it is not periodic: 0° at 0 and 0.001° at 1.")]
+        [TestCase("{ 'table': [[0, 0], [0.2195, 1], [0.439, 0], [0.6585, 1], [1, 0]] }",
+            "wings.all.flap.table: there is a hole between 0.6585 and 1; the rows must lie equally apart.")]
+        [TestCase("{ 'table': [[0, 0], [0.225, 1], [0.45, 0], [0.675, 1], [1, 0]] }",
+            "wings.all.flap.table: 0 and 0.225 are not 0.25 apart; the rows must lie equally apart.")]
+        public void WhatIsJustBeyond_IsRefused(string flap, string message) => AssertRefused(k_Frame.Replace("FLAP", flap), message);
+
         [Test]
         public void Fly_ReadsTheFile_AndTellsWhichWingsThereAre()
         {

@@ -52,6 +52,16 @@ public sealed class OwnWingLaws
         Assert.That(() => Alate.Cli.OwnWing.Read("wing.dat", content), Throws.TypeOf<UserException>().With.Message
             .EqualTo("wing.dat: it is neither a PNG picture nor a text file with a mesh (OBJ)."));
 
+    [Test]
+    public void LimitsOfAWing_AreThoseOfTheManual()
+    {
+        string page = System.IO.File.ReadAllText(System.IO.Path.Combine(PackageRoot.Find(), "Documentation~", "live-view.md"));
+
+        Assert.That(page, Does.Contain(FormattableString.Invariant(
+            $"at most {Alate.Cli.OwnWing.MostTriangles:#,0} triangles or {Alate.Cli.OwnWing.MostPixels / 1e6:0.##} million pixels, ")
+            + FormattableString.Invariant($"in a file of at most {ViewSession.LongestFile / 1048576.0:0.##} MB")));
+    }
+
     // Signature, and the first chunk with its size.
     private static byte[] Header(int width, int height) =>
     [

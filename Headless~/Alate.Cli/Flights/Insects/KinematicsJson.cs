@@ -16,7 +16,7 @@ internal static class KinematicsJson
         JsonElement root = Root(reader);
         Known(root, "", "name", "source", k_Frequency, k_Angles, "waves", "wings");
         double frequency = Number(Needed(root, "", k_Frequency), k_Frequency);
-        if (!(frequency >= WingBounds.MaxFrequency.Min && frequency <= WingBounds.MaxFrequency.Max))
+        if (!((float)frequency >= WingBounds.MaxFrequency.Min && (float)frequency <= WingBounds.MaxFrequency.Max))
         {
             throw Wrong(k_Frequency, FormattableString.Invariant(
                 $"{frequency} is out of range: {WingBounds.MaxFrequency.Min} to {WingBounds.MaxFrequency.Max} hertz"));

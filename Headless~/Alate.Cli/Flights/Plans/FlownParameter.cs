@@ -10,7 +10,7 @@ internal sealed class FlownParameter
 
     /// <summary>A number of the species.</summary>
     public FlownParameter(string name, string unit, float min, float max, Field field)
-        : this(name, unit, min, max)
+        : this(name, unit, Typed(min), Typed(max))
     {
         Of = field;
         m_Planned = (plan, value) => plan with { Change = new ParameterChange(this, (float)value) };
@@ -50,6 +50,10 @@ internal sealed class FlownParameter
 
     /// <summary>Name and unit.</summary>
     public string Title => Unit.Length == 0 ? Name : $"{Name}, {Unit}";
+
+    // As a user types it: 0.1, not 0.10000000149.
+    private static double Typed(float bound) =>
+        double.Parse(bound.ToString("R", CultureInfo.InvariantCulture), CultureInfo.InvariantCulture);
 
     /// <summary>The plan with this number at a value.</summary>
     public FlightPlan In(FlightPlan plan, double value) => m_Planned(plan, value);

@@ -94,7 +94,7 @@ internal sealed class TetheredFlight : IDisposable
             Wings = m_Wings.All,
             Seconds = (Steps - m_Start) * m_Substep,
             Beats = (double)(Steps - m_Start) / m_SubstepsPerBeat,
-            MicrosecondsPerSubstep = Median(cost),
+            MicrosecondsPerSubstep = Median(cost, m_SubstepsPerBeat),
             InducedVelocity = m_Induced?.Velocity ?? default,
         };
     }
@@ -119,9 +119,9 @@ internal sealed class TetheredFlight : IDisposable
     }
 
     // Of the steps of many substeps where there are any: the middle one, which other programs on the machine disturb least.
-    private double Median(List<double> cost)
+    internal static double Median(List<double> cost, int substepsPerBeat)
     {
-        List<double> many = cost.GetRange(0, Math.Max(cost.Count - m_SubstepsPerBeat, 0));
+        List<double> many = cost.GetRange(0, Math.Max(cost.Count - substepsPerBeat, 0));
         List<double> chosen = many.Count > 0 ? many : cost;
         chosen.Sort();
         return chosen[chosen.Count / 2];
