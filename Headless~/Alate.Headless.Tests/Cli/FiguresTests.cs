@@ -114,7 +114,8 @@ namespace Alate.Tests.Cli
 
             ComparisonPlan comparisons = FiguresCommand.Comparisons;
             Assert.That(comparisons.Flights.Select(flight => flight.Species), Is.EqualTo(InsectCatalogue.Names));
-            string[] phases = PngTexts.Of(Path.Combine(images, "compare-monarch.png")).Where(text => Regex.IsMatch(text, @"^\d+°$")).ToArray();
+            string[] phases = PngTexts.Of(Path.Combine(images, "compare-monarch.png"))
+                .Where(text => Regex.IsMatch(text, @"^\d+°$")).ToArray();
             Assert.That(phases, Is.EqualTo(Enumerable.Range(0, comparisons.Phases).Select(k => $"{360 * k / comparisons.Phases}°")));
             Assert.That(comparisons.Columns, Is.EqualTo(ComparisonColumn.All));
             byte[] gallery = File.ReadAllBytes(Path.Combine(images, "insects.png"));

@@ -18,7 +18,8 @@ namespace Alate.Tests.Cli
         // To a unit of the last digit: other processors round otherwise.
         [Test]
         public void SteadyFlights_AreThoseOfThePage() =>
-            Compare("steady flights", FlightFigures.Steady([InsectCatalogue.Find("monarch"), InsectCatalogue.Find("snailfish")]), "Monarch");
+            Compare("steady flights", FlightFigures.Steady([InsectCatalogue.Find("monarch"), InsectCatalogue.Find("snailfish")]),
+                "Monarch");
 
         [Test]
         public void TheMonarchBesideMeasurements_IsThatOfThePage() =>

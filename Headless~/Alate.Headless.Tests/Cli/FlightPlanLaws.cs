@@ -6,7 +6,7 @@ using NUnit.Framework;
 
 namespace Alate.Tests.Cli;
 
-/// <summary>What each number of a plan makes of a species' own.</summary>
+/// <summary>Effect of each number of a plan on those of a species.</summary>
 public sealed class FlightPlanLaws
 {
     private static WingParameters Flown(FlightPlan plan, InsectVariant variant = InsectVariant.Standard)

@@ -95,8 +95,10 @@ namespace Alate.Tests.Cli
 
         // A thousandth of the beat, of the step and of the range; a step of one and a half others is a hole.
         [TestCase("181", "wings.all.flap: 181° is beyond 180°; see the unit in 'angles'.")]
-        [TestCase("{ 'mean': 0, 'harmonics': [[-181, 0]] }", "wings.all.flap.harmonics[0]: -181° is beyond 180°; see the unit in 'angles'.")]
-        [TestCase("{ 'table': [[0, 1], [0.5, 3], [1, 1]] }", "wings.all.flap.table: it has 3 rows; a beat needs at least four, from 0 to 1.")]
+        [TestCase("{ 'mean': 0, 'harmonics': [[-181, 0]] }",
+            "wings.all.flap.harmonics[0]: -181° is beyond 180°; see the unit in 'angles'.")]
+        [TestCase("{ 'table': [[0, 1], [0.5, 3], [1, 1]] }",
+            "wings.all.flap.table: it has 3 rows; a beat needs at least four, from 0 to 1.")]
         [TestCase("{ 'table': [[0, 0], [0.25106, 1], [0.5, 0], [0.75, 1], [1, 0]] }",
             "wings.all.flap.table: 0 and 0.25106 are not 0.25 apart; the rows must lie equally apart.")]
         [TestCase("{ 'table': [[0, 0], [0.25, 1], [0.5, 0], [0.75, 1], [1.00026, 0]] }",

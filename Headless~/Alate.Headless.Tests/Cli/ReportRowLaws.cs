@@ -10,7 +10,7 @@ using NUnit.Framework;
 
 namespace Alate.Tests.Cli;
 
-/// <summary>Rows and curves of the manual's report, flown again with few substeps: the same words and bands, and nearly its numbers.</summary>
+/// <summary>Rows and curves of the manual's report, flown with few substeps: the same words and bands, nearly its numbers.</summary>
 public sealed class ReportRowLaws
 {
     private static readonly Regex s_Number = new(@"[−-]?\d+(\.\d+)?");

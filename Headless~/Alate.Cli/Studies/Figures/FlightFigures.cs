@@ -24,7 +24,8 @@ internal static class FlightFigures
     {
         page = PageBlock.Replace(page, "steady flights", MarkdownTable.Write(Steady(InsectCatalogue.All)));
         page = PageBlock.Replace(page, "flights beside measurements", MarkdownTable.Write(Measured()));
-        return PageBlock.Replace(page, "the dragonfly beside measurements", MarkdownTable.Write(MeasuredDragonflies(MeasuredDragonfly.Flights)));
+        return PageBlock.Replace(
+            page, "the dragonfly beside measurements", MarkdownTable.Write(MeasuredDragonflies(MeasuredDragonfly.Flights)));
     }
 
     internal static IEnumerable<string[]> Steady(IEnumerable<InsectDefinition> insects)
