@@ -136,6 +136,23 @@ namespace Alate.Editor.Tests
         }
 
         [Test]
+        public void ThePlace_IsAskedForUnderATitle_WithANameForTheInsectsFile_AndAReason()
+        {
+            InsectWings insect = Bones(out _);
+            insect.name = "Moth";
+            (string title, string name, string reason) asked = default;
+            new LayOutSkeletonFix(LayOutSkeletonFix.Fit, (title, name, reason) =>
+            {
+                asked = (title, name, reason);
+                return "";
+            }).Apply(insect, s_All);
+
+            Assert.That(asked.title, Is.EqualTo("Save Wing Skeleton"));
+            Assert.That(asked.name, Is.EqualTo("Moth Skeleton"));
+            Assert.That(asked.reason, Does.Contain("where the new skeleton is saved"));
+        }
+
+        [Test]
         public void WhereAllHaveSkeletons_NothingIsDone()
         {
             FixOutcome outcome = LayOut(Insect(), "Assets/x.asset", s_All);

@@ -52,6 +52,25 @@ namespace Alate.Tests
             Assert.That(along, Is.EqualTo(2.5));
         }
 
+        // Cells reach a tenth beyond the strokes, whichever way these run: there it is known that none is near.
+        [TestCase(-1, 0, 1, 0.5)]
+        [TestCase(1, 0, -1, 0.5)]
+        [TestCase(-1, 0.5, 1, 0)]
+        [TestCase(1, 0.5, -1, 0)]
+        public void BesideStrokes_NoneIsWithinReach_AndFarFromThemAllAreAsked(double x, double z, double endX, double endZ)
+        {
+            var grid = new StrokeGrid(new[] { new Stroke(x, z, endX, endZ, 0) });
+            double left = x < endX ? z : endZ, right = x < endX ? endZ : z;
+
+            Assert.That(grid.Around(-1.15, left, 0.05), Is.Empty, "left");
+            Assert.That(grid.Around(1.15, right, 0.05), Is.Empty, "right");
+            Assert.That(grid.Around(0, -0.15, 0.05), Is.Empty, "below");
+            Assert.That(grid.Around(0, 0.65, 0.05), Is.Empty, "above");
+            Assert.That(grid.Around(-1.15, left, 0.2), Has.Length.EqualTo(1), "within reach");
+            Assert.That(grid.Around(-1.3, left, 0.05), Has.Length.EqualTo(1), "beyond the cells");
+            Assert.That(grid.Around(0, 0.8, 0.05), Has.Length.EqualTo(1), "above the cells");
+        }
+
         [Test]
         public void NoStrokes_AreInfinitelyFar()
         {

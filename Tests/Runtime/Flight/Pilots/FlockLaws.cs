@@ -1,6 +1,7 @@
 using System.Collections;
 using Alate.Flight;
 using NUnit.Framework;
+using Unity.Collections;
 using Unity.Mathematics;
 using UnityEngine;
 using UnityEngine.TestTools;
@@ -66,6 +67,26 @@ namespace Alate.Tests.Play.Flight
             FlightCommand command = default;
             yield return Fly(settings, 1f, new float3(0.5f, 0f, 0f), made => command = made, 0, 9f);
             Assert.That(math.length(command.velocity), Is.EqualTo(1.3f * 0.8f).Within(1e-4f));
+        }
+
+        [Test]
+        public void OneThatWasNotAskedYet_IsSeenByNobody()
+        {
+            FlockPilot fresh = Keep(new GameObject("fresh")).AddComponent<FlockPilot>();
+            var members = new NativeArray<FlockMember>(2, Allocator.TempJob);
+            var views = new NativeArray<FlockView>(2, Allocator.TempJob);
+            members[0] = new FlockMember
+            {
+                position = new float3(3f, 1f, 1f), sight = 100f, room = 100f, group = fresh.Member.group,
+            };
+            members[1] = fresh.Member;
+            FlockGrid.Look(members, views);
+            FlockView view = views[0];
+            members.Dispose();
+            views.Dispose();
+
+            Assert.That(view.count, Is.Zero);
+            Assert.That(math.length(view.apart), Is.Zero);
         }
 
         private static FlockSettings Settings() => new FlockSettings { speed = 0.8f, sight = 20f, room = 5f };
