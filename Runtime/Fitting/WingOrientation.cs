@@ -6,13 +6,10 @@ namespace Alate.Fitting
 {
     /// <summary>
     /// Turns a wing's plan so that it is seen as a right wing's. With a forward direction the span runs at right angles to it, as an
-    /// insect's flapping axis wants, unless the wing points elsewhere; without one it runs through the wing's centre.
+    /// insect's flapping axis wants; without one, or with one along the wing, it runs through the wing's centre.
     /// </summary>
     internal static class WingOrientation
     {
-        /// <summary>Largest angle between the span and the way from the anchor to the wing's centre, radians: 60°.</summary>
-        private const double k_MostSweep = Math.PI / 3.0;
-
         /// <summary>
         /// Share of the forward direction that must lie in the plane, and of that across the wing, to tell its edges apart: 30° from the
         /// direction to the wing's centre, which lies behind the span and would decide by itself which edge of a wing along the forward
@@ -54,7 +51,7 @@ namespace Alate.Fitting
                 isGuessed = share <= k_InPlane || across <= k_Across;
                 if (!isGuessed)
                 {
-                    PlanPoint span = Span(centre, PlanPoint.Unit(ahead));
+                    PlanPoint span = WingView.Across(PlanPoint.Unit(ahead), centre);
                     return new WingView(from, span, WingView.Across(span, ahead), reach);
                 }
 
@@ -66,15 +63,6 @@ namespace Alate.Fitting
             notes.Warn(
                 SkeletonFitWarningKind.LeadingEdgeGuessed, confidence, $"The leading edge is a guess, the straighter edge: {why}.");
             return new WingView(from, centre, WingView.Across(centre, leading), reach);
-        }
-
-        // At right angles to forward, turned towards the wing's centre as far as needed.
-        private static PlanPoint Span(PlanPoint centre, PlanPoint ahead)
-        {
-            PlanPoint lateral = WingView.Across(ahead, centre);
-            double sweep = Elementary.Atan2(PlanPoint.Cross(centre, lateral), PlanPoint.Dot(centre, lateral));
-            double angle = Math.Min(Math.Max(sweep, -k_MostSweep), k_MostSweep);
-            return centre * Elementary.Cos(angle) + new PlanPoint(-centre.z, centre.x) * Elementary.Sin(angle);
         }
 
         // The wing bulges to the rear of the line from its base to its far end.

@@ -60,6 +60,22 @@ namespace Alate.Tests
         }
 
         [Test]
+        public void ALevelLine_IsCutWhereItIsClosestToItsRootAndItsTip()
+        {
+            PlanPoint[] rim = { new PlanPoint(0, 0), new PlanPoint(2, 0), new PlanPoint(2, 1), new PlanPoint(0, 1) };
+            var field = new FanField(rim, new[] { 0.0, 0.0, 1.0, 0.0 }, new PlanPoint(1, 0));
+            List<PlanPoint> whole = LevelLine.Trace(field, 0.3, new PlanPoint(0.6, 1.0), new PlanPoint(2.0, 0.3));
+            for (int k = 0; k < 12; k++)
+            {
+                PlanPoint root = new PlanPoint(0.45 + 0.02 * k, 0.6), tip = new PlanPoint(1.5 + 0.015 * k, 0.1);
+                List<PlanPoint> cut = LevelLine.Trace(field, 0.3, root, tip);
+                Assert.That(Distance(cut[1], root), Is.LessThanOrEqualTo(whole.Min(point => Distance(point, root)) + 1e-9), $"root {k}");
+                Assert.That(
+                    Distance(cut[cut.Count - 2], tip), Is.EqualTo(whole.Min(point => Distance(point, tip))).Within(0.003), $"tip {k}");
+            }
+        }
+
+        [Test]
         public void JointsOnAStraightPath_AreEven()
         {
             PlanPoint[] joints = BalancedJoints.Place(new[] { new PlanPoint(0, 0), new PlanPoint(0.2, 0), new PlanPoint(1, 0) }, 6);

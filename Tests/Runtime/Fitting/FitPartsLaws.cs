@@ -245,6 +245,21 @@ namespace Alate.Tests
             Assert.That(boundary.junctions.Select(junction => junction.B), Is.EqualTo(new[] { 3 }));
         }
 
+        // The mesh is longest along X, the long side runs across: its ends are the first or the last places that are looked at.
+        [Test]
+        public void AVertexBesideALongSide_CutsIt_OnEitherHand([Values(-1f, 1f)] float hand, [Values(-1f, 1f)] float way)
+        {
+            const float tolerance = 0.01f;
+            float3[] points = { new float3(-3f, 0f, 0.5f), new float3(0f, 0f, 0f), new float3(0f, 0f, 1f), new float3(1f, 0f, 0f),
+                new float3(1f, 0f, 1f), new float3(0.8f * hand * tolerance, 0f, 0.4f) };
+            for (int k = 0; k < points.Length; k++)
+                points[k].x *= way;
+            var boundary = new SheetBoundary(points, new[] { new int3(0, 1, 2), new int3(1, 3, 5), new int3(2, 5, 4) }, tolerance);
+
+            Assert.That(boundary.junctions.Select(junction => junction.B), Is.EqualTo(new[] { 5 }));
+            Assert.That(boundary.edges, Has.Count.EqualTo(6), "without both halves of the long side");
+        }
+
         [Test]
         public void AWalk_GoesCounterclockwiseRoundTheOutside_AndNamesHoles()
         {

@@ -180,6 +180,41 @@ namespace Alate.Tests
             Assert.That(fit.Confidence / Told(), Is.EqualTo(0.95f).Within(1e-4f));
         }
 
+        [TestCase(0.13f, false)]
+        [TestCase(0.15f, true)]
+        public void AFoldedSheet_IsTakenForAShell_WhereItsOutlineEnclosesLessThanThreeQuarters(float flap, bool isShell)
+        {
+            // The square of 1 with a triangle folded back over it: (1 − flap) / (1 + flap) is 3/4 at 1/7.
+            var points = new[] { new Vector3(0, 0, 0), new Vector3(1, 0, 0), new Vector3(1, 0, 1), new Vector3(0, 0, 1),
+                new Vector3(0.5f, 0.01f, 2f * flap) };
+            FitNotes notes = Read(points, new[] { 0, 2, 1, 0, 3, 2, 0, 1, 4 });
+
+            Assert.That(notes.Warned(SkeletonFitWarningKind.ClosedShell), Is.EqualTo(isShell));
+            Assert.That(notes.Warned(SkeletonFitWarningKind.FoldsOverItself), Is.Not.EqualTo(isShell));
+        }
+
+        [TestCase(0.27f, true)]
+        [TestCase(0.29f, false)]
+        public void AClosedShell_IsAWing_WhereMoreThan65PercentOfItFaceUpOrDown(float height, bool isWing)
+        {
+            // A square of 1 over one of 0.98, with walls around: 2 of 1.9604 + 3.96 · the walls' width.
+            const float low = 0.49f;
+            Vector3[] Ring(float half, float y) => new[] { new Vector3(-half, y, -half), new Vector3(half, y, -half),
+                new Vector3(half, y, half), new Vector3(-half, y, half) };
+            Vector3[] points = Ring(0.5f, height).Concat(Ring(low, 0f)).ToArray();
+            var triangles = new List<int> { 0, 2, 1, 0, 3, 2, 4, 5, 6, 4, 6, 7 };
+            for (int k = 0; k < 4; k++)
+            {
+                int next = (k + 1) % 4;
+                triangles.AddRange(new[] { k, next, 4 + next, k, 4 + next, 4 + k });
+            }
+
+            if (isWing)
+                Assert.That(Read(points, triangles.ToArray()).Warned(SkeletonFitWarningKind.ClosedShell), Is.True);
+            else
+                Assert.That(() => Read(points, triangles.ToArray()), Throws.ArgumentException.With.Message.Contains("64 % of its area"));
+        }
+
         [TestCase(0.08, 0.12, 1)]
         [TestCase(0.08, 0.09, 0)]
         [TestCase(0.13, 0.3, 1)]
@@ -232,6 +267,14 @@ namespace Alate.Tests
         {
             var notes = new FitNotes();
             SheetDoubts.Warn(new WingSheet(points, triangles, WingPlane.Facing(new float3(0f, 1f, 0f)), 1e-5f), notes);
+            return notes;
+        }
+
+        private static FitNotes Read(Vector3[] positions, int[] triangles)
+        {
+            var notes = new FitNotes();
+            var surface = new SurfaceMesh { positions = positions, triangles = triangles };
+            new SheetReader("Mesh", new UnitSurface(surface), Vector3.up, notes).Read();
             return notes;
         }
 

@@ -114,6 +114,49 @@ namespace Alate.Tests
             }
         }
 
+        [TestCase(20.0, false, false, 4)]
+        [TestCase(20.0, false, true, 3)]
+        [TestCase(40.0, true, true, 3)]
+        public void ARimOfOneOrTwoVertices_GetsThreeOrFour(double even, bool fromOneCorner, bool isOdd, int count)
+        {
+            // A circle of radius 1, on which a spacing of 4 or 8 leaves one vertex for each of its corners.
+            PlanPoint[] circle = Enumerable.Range(0, 60).Select(k => new PlanPoint(Math.Cos(Math.PI * k / 30), Math.Sin(Math.PI * k / 30)))
+                .ToArray();
+            List<PlanPoint> rim = RimSampler.Sample(circle, even, isOdd, fromOneCorner ? new[] { 7 } : null);
+
+            Assert.That(rim, Has.Count.EqualTo(count));
+            Assert.That(Polygon.IsSimple(rim), Is.True);
+        }
+
+        [Test]
+        public void AStarsRim_IsForcedIn_HoweverItsCornersAreOrdered()
+        {
+            foreach (uint seed in Seeds.First(150))
+            {
+                var random = new Random(seed);
+                var star = new PlanPoint[random.NextInt(5, 14)];
+                int turn = random.NextInt(star.Length);
+                for (int k = 0; k < star.Length; k++)
+                {
+                    double angle = 2.0 * Math.PI * (k + 0.3 * random.NextDouble()) / star.Length;
+                    star[(k + turn) % star.Length] = new PlanPoint(Math.Cos(angle), Math.Sin(angle)) * random.NextFloat(0.15f, 1f);
+                }
+
+                TriangleLinks mesh = DelaunayTriangulation.Inside(star, star.Length);
+                double area = 0.0;
+                for (int side = 0; side < mesh.SideCount; side += 3)
+                    area += 0.5 * mesh.Area(mesh.corners[side], mesh.corners[side + 1], mesh.corners[side + 2]);
+                Assert.That(mesh.SideCount, Is.EqualTo(3 * (star.Length - 2)), $"seed {seed}");
+                Assert.That(area, Is.EqualTo(Polygon.Area(star)).Within(1e-9), $"seed {seed}");
+                for (int side = 0; side < mesh.SideCount; side++)
+                {
+                    Assert.That(mesh.IsAgainstDelaunay(side) && mesh.CanFlip(side), Is.False, $"seed {seed}, side {side}");
+                    if (mesh.twins[side] < 0)
+                        Assert.That(mesh.End(side), Is.EqualTo((mesh.corners[side] + 1) % star.Length), $"seed {seed}");
+                }
+            }
+        }
+
         [Test]
         public void WhereAnOutlineIsNarrow_ItsVerticesLieCloser_ButNotWithoutEnd_AndChangeSlowly()
         {

@@ -91,6 +91,28 @@ namespace Alate.Tests
         }
 
         [Test]
+        public void ATangentOfNoLength_IsPackedAsNone_AndASmallOneByItsDirection()
+        {
+            SurfaceMesh surface = TestWings.Ellipse();
+            surface.tangents = new Vector4[surface.positions.Length];
+            for (int v = 1; v < surface.tangents.Length; v += 2)
+                surface.tangents[v] = new Vector4(1e-10f, 0f, 0f, 1f);
+            WingRig rig = TestWings.Bake(TestWings.Fan(), surface);
+            using (var world = new WingWorld())
+            {
+                WingHandle wing = world.Add(rig, WingParameters.Default, default, default, VertexPacking.NormalsAndTangents);
+                rig.Release();
+                world.Skin();
+                for (int v = 0; v < surface.tangents.Length; v++)
+                {
+                    float4 tangent = SignedBytes.Unpack(world.PackedTangents(wing)[v]);
+                    Assert.That(math.length(tangent.xyz), Is.EqualTo(v % 2).Within(0.01f), $"vertex {v}");
+                    Assert.That(tangent.w, Is.EqualTo((float)(v % 2)), $"vertex {v}");
+                }
+            }
+        }
+
+        [Test]
         public void WhatIsNotWanted_IsNotComputed([Values(0, 1, 2)] int chosen)
         {
             var packing = (VertexPacking)chosen;

@@ -37,6 +37,26 @@ namespace Alate.Tests
         }
 
         [Test]
+        public void EveryComponent_IsLookedAt()
+        {
+            using (var fixture = new PackFixture(TestWings.Rig(8), WingParameters.Default))
+            {
+                ref WingPack pack = ref fixture.Pack;
+                for (int lane = 0; lane < WingPack.Lanes; lane++)
+                {
+                    for (int axis = 0; axis < 3; axis++)
+                    {
+                        float3 bad = 0f;
+                        bad[axis] = float.NaN;
+                        AssertFound(ref pack.pose[lane].position, pack, lane, bad);
+                        AssertFound(ref pack.offsetRates[lane + 1], pack, lane, bad);
+                        AssertFound(ref pack.bendRates[lane], pack, lane, bad);
+                    }
+                }
+            }
+        }
+
+        [Test]
         public void ARestartedWing_HasNone_AndIsCountedOnce()
         {
             using (var fixture = new PackFixture(Monarch.Rig(64), Monarch.Parameters))
@@ -63,6 +83,17 @@ namespace Alate.Tests
                 Assert.That(new float3(bounds.min.x[lane], bounds.min.y[lane], bounds.min.z[lane]), Is.EqualTo(new float3(-4f, -2f, -6f)));
                 Assert.That(new float3(bounds.max.x[lane], bounds.max.y[lane], bounds.max.z[lane]), Is.EqualTo(new float3(1f, 5f, 3f)));
             }
+        }
+
+        private static void AssertFound(ref SoaFloat3 place, in WingPack pack, int lane, float3 bad)
+        {
+            SoaFloat3 kept = place, changed = place;
+            changed[lane] = bad;
+            place = changed;
+            bool4 wanted = false;
+            wanted[lane] = true;
+            Assert.That(PackReset.NotFinite(pack), Is.EqualTo(wanted), $"{bad}");
+            place = kept;
         }
     }
 }
