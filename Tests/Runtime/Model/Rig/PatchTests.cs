@@ -15,6 +15,22 @@ namespace Alate.Tests
             Assert.That(rig.PatchCount, Is.EqualTo(100));
         }
 
+        // Four cells of 0.5 by 0.25 with eight patches each: squares of an eighth.
+        [Test]
+        public void Patches_AreAsLongAsWide()
+        {
+            WingRig rig = Bake(TestWings.Lattice(3, 3), TestWings.Rectangle(48, 24), 32);
+            Assert.That(rig.PatchCount, Is.EqualTo(32));
+            var places = new HashSet<(int, int)>();
+            for (int patch = 0; patch < 32; patch++)
+            {
+                float x = rig.View.patchSpan[patch] * 8f - 0.5f, z = -rig.View.patchChord[patch] * 8f - 0.5f;
+                Assert.That(rig.View.patchAreas[patch], Is.EqualTo(1f / 64f).Within(1e-5f));
+                Assert.That(math.abs(x - math.round(x)) + math.abs(z - math.round(z)), Is.LessThan(1e-3f), $"{x}, {z}");
+                Assert.That(places.Add(((int)math.round(x), (int)math.round(z))), Is.True);
+            }
+        }
+
         [Test]
         public void MorePatchesThanTriangles_AreAsManyAsTriangles()
         {

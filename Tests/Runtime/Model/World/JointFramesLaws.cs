@@ -56,33 +56,5 @@ namespace Alate.Tests
                 }
             }
         }
-
-        [Test]
-        public void TheBoundsOfALargeWing_AreThoseOfAllItsVertices()
-        {
-            // Five chunks of vertices.
-            WingRig rig = TestWings.Bake(TestWings.Fan(), TestWings.Ellipse(128, 64), 16);
-            Assert.That(rig.View.quadCount, Is.GreaterThan(4 * 512));
-            using (var world = new WingWorld())
-            {
-                WingHandle wing = world.Add(rig, WingParameters.Default);
-                rig.Release();
-                for (int step = 0; step < 4; step++)
-                {
-                    world.Step(0.03f);
-                    world.Skin();
-                    float3 low = float.PositiveInfinity, high = float.NegativeInfinity;
-                    foreach (SkinnedVertex vertex in world.Vertices(wing))
-                    {
-                        low = math.min(low, vertex.position);
-                        high = math.max(high, vertex.position);
-                    }
-
-                    Bounds bounds = world.Bounds(wing);
-                    Assert.That(Vector3.Distance(bounds.min, low) + Vector3.Distance(bounds.max, high), Is.LessThan(1e-6f), $"step {step}");
-                    Assert.That(bounds.size.y, Is.GreaterThan(0.01f));
-                }
-            }
-        }
     }
 }

@@ -53,6 +53,61 @@ namespace Alate.Tests
             }
         }
 
+        // The count of a commanded wing goes by the highest beat that a controller may ask for, 1.3 times that of the preset.
+        [Test]
+        public void ACommandedWing_TakesAsMany_WhateverItIsCommanded([Values(5f, 9f)] float frequency)
+        {
+            WingParameters parameters = Monarch.Parameters;
+            using (var fixture = new PackFixture(Monarch.Rig(16), parameters))
+            {
+                fixture.Pack.beat->frequency = fixture.Pack.beat->previousFrequency = frequency;
+                for (int lane = 0; lane < WingPack.Lanes; lane++)
+                    fixture.Pack.parameters->drive.Set(lane, new WingDrive { frequency = frequency, amplitude = 1f }, true);
+                float count = k_Frame * 1.3f * parameters.maxFrequency * parameters.substepsPerBeat;
+                Assert.That(Count(fixture), Is.EqualTo((int)math.ceil(count)));
+            }
+        }
+
+        [TestCase(WingDetail.Full, 30, 30)]
+        [TestCase(WingDetail.FewerSubsteps, 30, 15)]
+        [TestCase(WingDetail.CoarsePatches, 40, 20)]
+        [TestCase(WingDetail.WavesOnly, 20, 12)]
+        public void LessDetail_TakesHalfAsMany_ButTwelveABeatAtLeast(WingDetail detail, int perBeat, int count)
+        {
+            WingParameters parameters = Monarch.Parameters;
+            parameters.substepsPerBeat = perBeat;
+            using (var fixture = new PackFixture(Monarch.Rig(16), parameters))
+            {
+                fixture.Pack.detail = detail;
+                fixture.Pack.beat->frequency = 10f;
+                fixture.Pack.beat->previousFrequency = 9f;
+                float4 beat = 0.1f, more = 0.1f * (1f + 0.0009f / count), most = 0.1f * (1f + 0.0012f / count);
+                Assert.That((int)PackStep.SubstepCounts(fixture.Pack, ref beat).y, Is.EqualTo(count));
+                Assert.That((int)PackStep.SubstepCounts(fixture.Pack, ref more).y, Is.EqualTo(count), "a thousandth is rounding");
+                Assert.That((int)PackStep.SubstepCounts(fixture.Pack, ref most).y, Is.EqualTo(count + 1));
+            }
+        }
+
+        // Far away the bend of a wing that is only waved fades by exp(−4) a beat.
+        [Test]
+        public void AWingOfWavesAlone_LosesItsBendInABeat()
+        {
+            using (var fixture = new PackFixture(Monarch.Rig(16), Monarch.Parameters))
+            {
+                ref WingPack pack = ref fixture.Pack;
+                float frequency = pack.beat->frequency.x;
+                pack.bendAngles[3] = Lanes.All(0.2f, -0.1f, 0.05f);
+                pack.offsets[6] = Lanes.All(0.01f, 0.02f, -0.02f);
+                float offset = math.length(pack.offsets[6][2]);
+                for (int step = 0; step < 5; step++)
+                    PackStep.WavesSubstep(pack, fixture.scratch, 0.2f / frequency);
+                float left = math.exp(-4f);
+                Assert.That(math.distance(pack.bendAngles[3][1], left * new float3(0.2f, -0.1f, 0.05f)), Is.LessThan(1e-5f));
+                Assert.That(math.length(pack.offsets[6][2]), Is.EqualTo(left * offset).Within(1e-6f), "turned with the wing, and as short");
+                Assert.That(math.length(pack.bendRates[3][1]) + math.length(pack.offsetRates[6][1]), Is.Zero);
+            }
+        }
+
         private static WingSurroundings Gale => new WingSurroundings { wind = new float3(0f, 0f, -5000f), speed = 1f };
 
         private static int Count(PackFixture fixture)
