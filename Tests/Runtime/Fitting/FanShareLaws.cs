@@ -110,6 +110,65 @@ namespace Alate.Tests
                 margin.ShareTowards(marks.Base + new PlanPoint(0.0, -1.0), tail), Is.EqualTo(margin.ShareAt(tail.to)).Within(1e-9));
         }
 
+        // Between the first and the last chain runs a harmonic function, 0 and 1 there and the shares along the margin; a chain lies 0.55
+        // of the way from its level line to the straight line between its ends, its joints even.
+        [Test]
+        public void InnerChains_LieBetweenTheirLevelLinesAndStraightOnes([Values(0.5, 0.8)] double aspect)
+        {
+            var wing = new PolarWing { aspect = aspect, sweep = -0.35 };
+            ClosedCurve outline = Curve(wing.Outline(600).Reverse().Select(place => ((double)place.x, (double)place.z)).ToList());
+            var notes = new FitNotes();
+            var marks = new WingLandmarks(outline, notes);
+            var margin = new WingMargin(marks);
+            Assert.That(marks.Trimmed.Tails, Is.Empty);
+            List<PlanPoint[][]> layouts = new FanChains(outline, marks, notes).Lay(5, 6);
+            PlanPoint[] first = layouts[0][0], last = layouts[0][4];
+            List<PlanPoint> rim = first.Concat(margin.Points.Skip(1)).Concat(last.Reverse()).ToList();
+            List<double> values = first.Select(_ => 0.0).Concat(margin.Shares.Skip(1)).Concat(last.Select(_ => 1.0)).ToList();
+            var field = new FanField(rim, values, margin.Points[0] - marks.Base);
+            double bent = 0.0;
+            for (int chain = 1; chain < 4; chain++)
+            {
+                double share = chain / 4.0;
+                PlanPoint root = first[0] + (last[0] - first[0]) * share, tip = margin.At(share);
+                PlanPoint[] path = Polyline.Even(LevelLine.Trace(field, share, root, tip), 401);
+                for (int k = 0; k < path.Length; k++)
+                {
+                    PlanPoint straight = root + (tip - root) * (k / 400.0);
+                    bent = Math.Max(bent, Math.Sqrt((path[k] - straight).LengthSquared));
+                    path[k] = path[k] * 0.45 + straight * 0.55;
+                }
+
+                PlanPoint[] wanted = Polyline.Even(path, 6);
+                for (int joint = 0; joint < 6; joint++)
+                {
+                    Assert.That(
+                        Math.Sqrt((layouts[0][chain][joint] - wanted[joint]).LengthSquared), Is.LessThan(4e-4), $"chain {chain}, {joint}");
+                }
+            }
+
+            Assert.That(layouts, Has.Count.EqualTo(1));
+            Assert.That(bent, Is.GreaterThan(0.02));
+        }
+
+        [TestCase(0.0095, false)]
+        [TestCase(0.0106, true)]
+        public void AChainThatLeavesTheWingByAHundredth_IsNamed(double by, bool isNamed)
+        {
+            var corners = new List<(double, double)> { (0, 0), (0, 0.25), (1, 0.25), (1, -0.25), (0, -0.25) };
+            ClosedCurve outline = Curve(corners);
+            var notes = new FitNotes();
+            var fan = new FanChains(outline, new WingLandmarks(outline, notes), notes);
+            PlanPoint[] inside = { default, new PlanPoint(0.5, 0.1), new PlanPoint(0.9, 0.1) },
+                outside = { default, new PlanPoint(0.3, -0.25 - by), new PlanPoint(0.8, -0.25 - by) };
+            fan.Warn(new[] { inside, outside });
+
+            Assert.That(notes.Warned(SkeletonFitWarningKind.ChainLeavesWing), Is.EqualTo(isNamed));
+            Assert.That(notes.Confidence, Is.EqualTo(isNamed ? 0.9 : 1.0).Within(1e-9));
+            if (isNamed)
+                Assert.That(notes.Warnings[0].ToString(), Does.StartWith("Chain 1 strays 1.1 % of the wing's length"));
+        }
+
         private static void AssertEven(Func<int, double> value, int first, int last)
         {
             for (int k = first; k <= last; k++)

@@ -94,6 +94,8 @@ namespace Alate.Tests
             Assert.That(fit.Warns(SkeletonFitWarningKind.LeadingEdgeGuessed), Is.True);
             Assert.That(fit.Confidence, Is.InRange(0.5f, 0.9f));
             Assert.That(side * (fit.Skeleton.GetJoint(0, 2).z - fit.Skeleton.GetJoint(4, 2).z), Is.GreaterThan(0f));
+            Vector3 first = (fit.Skeleton.GetJoint(0, 4) - fit.Skeleton.GetJoint(0, 0)).normalized;
+            Assert.That(Vector3.Distance(fit.Skeleton.SpanAxis.normalized, first), Is.LessThan(0.01f), "along the first chain");
         }
 
         [TestCase(0f, 1f, 0f, "stands on the wing")]

@@ -100,6 +100,7 @@ namespace Alate.Tests
 
             Assert.That(Confidence(0.5f, 0.5f), Is.EqualTo(0.65f).Within(0.01f));
             Assert.That(Confidence(0.1f, 0.9f), Is.EqualTo(0.9f).Within(0.01f));
+            Assert.That(Confidence(0.425f, 0.575f), Is.EqualTo(0.775f).Within(0.006f), "halfway, where the areas differ by 0.15");
         }
 
         [TestCase(0.9e-3, 0)]

@@ -54,6 +54,18 @@ namespace Alate.Tests
                 Assert.That(ends[8] - ends[7], Is.EqualTo(gap * rim).Within(0.1 * rim), "the gap itself");
         }
 
+        [TestCase(0.45, true)]
+        [TestCase(0.54, false)]
+        public void AFan_BeginsHalfAHollowBehindTheTipAtMost(double behind, bool isFan)
+        {
+            // The first hollow begins behind the tip by this share of its rim.
+            double rim = Hollow(k_Width, 0.0, 0.12 * k_Width).Sum;
+            double[] widths = Enumerable.Repeat(k_Width, 8).Prepend(-0.2).ToArray();
+            List<double> ends = Rays(widths, width => 0.12 * width, out _, 0.2 - behind * rim);
+
+            Assert.That(ends, Has.Count.EqualTo(isFan ? 9 : 0));
+        }
+
         [TestCase(0.0027, true)]
         [TestCase(0.0032, false)]
         public void ALineAlongAnEdge_MayLieThreeThousandthsOutside(double depth, bool isStraight)
@@ -126,7 +138,7 @@ namespace Alate.Tests
         }
 
         // Hollows of these widths side by side on a circle of radius 1; a negative width is that length of the circle itself.
-        private static List<double> Rays(double[] widths, Func<double, double> depth, out double end)
+        private static List<double> Rays(double[] widths, Func<double, double> depth, out double end, double tip = 0.0)
         {
             double angle = widths.Sum(width => width > 0.0 ? Turn(width) : -width) * 0.5;
             var corners = new List<PlanPoint> { default, new PlanPoint(0.0, 0.1) };
@@ -143,7 +155,7 @@ namespace Alate.Tests
             corners.Add(new PlanPoint(0.0, -0.1));
             var outline = new ClosedCurve(corners, 4000);
             end = outline.Nearest(corners[corners.Count - 2]);
-            return MarginRays.Find(outline, 0.02, outline.Length - 0.02, outline.Nearest(corners[2]));
+            return MarginRays.Find(outline, 0.02, outline.Length - 0.02, outline.Nearest(corners[2]) + tip);
         }
 
         // The chord of a hollow, with half a wave of its depth inwards of it.

@@ -204,6 +204,24 @@ namespace Alate.Tests
         }
 
         [Test]
+        public void AMesh_HasTheTrianglesThatAreAsked_AndNotAllOfItsCornersOnTheRim()
+        {
+            PlanPoint[] strip = { new PlanPoint(0, 0), new PlanPoint(9, 0), new PlanPoint(9, 0.7), new PlanPoint(0, 0.5) };
+            for (int triangles = 30; triangles < 90; triangles += 13)
+            {
+                TriangleLinks mesh = OutlineMesher.Mesh(strip, triangles, out int rim);
+                double area = Enumerable.Range(0, triangles)
+                    .Sum(k => 0.5 * mesh.Area(mesh.corners[3 * k], mesh.corners[3 * k + 1], mesh.corners[3 * k + 2]));
+
+                Assert.That(mesh.SideCount, Is.EqualTo(3 * triangles));
+                Assert.That(rim, Is.LessThanOrEqualTo(0.8 * (triangles + 2)), $"{triangles} triangles");
+                Assert.That(2 * (mesh.points.Length - rim) + rim - 2, Is.EqualTo(triangles), "Euler's formula");
+                Assert.That(area, Is.EqualTo(Polygon.Area(mesh.points.Take(rim).ToArray())).Within(1e-9));
+                Assert.That(area, Is.InRange(0.9 * 5.4, 1.001 * 5.4));
+            }
+        }
+
+        [Test]
         public void TooFewTriangles_AreRefused_WithTheirNumber()
         {
             PlanPoint[] comb = Comb(12);

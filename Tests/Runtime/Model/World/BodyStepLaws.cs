@@ -160,6 +160,25 @@ namespace Alate.Tests
             Assert.That(insect.Body.rotation, Is.EqualTo(quaternion.identity));
         }
 
+        // Of the wings that carry one body the one that needs most says how many substeps all take.
+        [Test]
+        public void WingsOfABody_TakeAsManySubsteps_AsTheOneThatNeedsMost([Values] bool first)
+        {
+            using var insect = new CarriedBody(BodyMode.Resting);
+            WingParameters fine = Monarch.Parameters;
+            fine.substepsPerBeat = 97;
+            insect.world.SetParameters(first ? insect.right : insect.left, fine);
+            WingRig rig = Monarch.Rig(32);
+            WingHandle alone = insect.world.Add(rig, fine);
+            rig.Release();
+            insect.world.Step(0.03f);
+            int most = insect.world.Read(alone).Substeps;
+            Assert.That(most, Is.GreaterThan(25));
+            Assert.That(insect.world.Read(insect.right).Substeps, Is.EqualTo(most));
+            Assert.That(insect.world.Read(insect.left).Substeps, Is.EqualTo(most));
+            Assert.That(insect.world.Read(insect.left).Phase, Is.EqualTo(insect.world.Read(alone).Phase).Within(1e-4f));
+        }
+
         // One latch, one command, one beat; the command is made once, just before the beat that it is for.
         [Test]
         public void EveryBeat_IsCommandedOnce([Values(0.004f, 0.02f)] float dt)
