@@ -29,6 +29,6 @@ namespace Alate
         /// between the sides.
         /// </summary>
         public static float Limit(int command) =>
-            command == 0 ? 0.15f / k_Frequency : command == 1 || command == 4 ? 2f : command < 4 ? 2.5f : 2.5f;
+            command == 0 ? 0.15f / k_Frequency : command == 1 || command == 4 ? 2f : 2.5f;
     }
 }

@@ -107,6 +107,38 @@ namespace Alate.Tests
         }
 
         [Test]
+        public void AUnitVector_IsOneLong_AndOfNothingItIsNothing()
+        {
+            AssertAt(PlanPoint.Unit(new PlanPoint(-3e-5, 4e-5)), -0.6, 0.8);
+            AssertAt(PlanPoint.Unit(new PlanPoint(0.0, -1.05e-12)), 0.0, -1.0);
+            AssertAt(PlanPoint.Unit(default), 0.0, 0.0);
+        }
+
+        [TestCase(3.0, 5.0, 0.25)]
+        [TestCase(-1.0, 0.0, 0.0)]
+        [TestCase(99.0, 9.0, 1.0)]
+        public void TheClosestPlaceOnASegment_LiesAtItsFoot_OrAtAnEnd(double x, double z, double share)
+        {
+            PlanPoint a = new PlanPoint(1, 2), b = new PlanPoint(9, 8), foot = a + (b - a) * 0.25;
+            PlanPoint p = share == 0.25 ? foot + new PlanPoint(-6, 8) * (x / 10.0) : new PlanPoint(x, z);
+
+            Assert.That(PlanPoint.ClosestOnSegment(p, a, b), Is.EqualTo(share).Within(k_Bound));
+            double expected = (a + (b - a) * share - p).LengthSquared;
+            Assert.That(PlanPoint.DistanceSquared(p, a, b), Is.EqualTo(expected).Within(k_Bound));
+            Assert.That(PlanPoint.DistanceSquared(p, a, a), Is.EqualTo((a - p).LengthSquared).Within(k_Bound), "a segment of one place");
+        }
+
+        [Test]
+        public void Bounds_HoldAllPoints_AndTheExtentIsTheLongerSide()
+        {
+            PlanPoint[] points = { new PlanPoint(-2, 3), new PlanPoint(5, -1), new PlanPoint(1, 9), new PlanPoint(0, 0) };
+            PlanBounds bounds = new PlanBounds(points), turned = new PlanBounds(Array.ConvertAll(points, p => new PlanPoint(p.z, p.x)));
+
+            Assert.That((bounds.left, bounds.right, bounds.low, bounds.high), Is.EqualTo((-2.0, 5.0, -1.0, 9.0)));
+            Assert.That((bounds.Extent, turned.Extent), Is.EqualTo((10.0, 10.0)));
+        }
+
+        [Test]
         public void TheLongestDirection_IsThatOfAnEllipse_WhicheverWayItLies()
         {
             for (int degrees = -80; degrees <= 90; degrees += 10)

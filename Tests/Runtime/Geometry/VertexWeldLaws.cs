@@ -1,7 +1,9 @@
 using System;
+using System.Linq;
 using Alate.Geometry;
 using NUnit.Framework;
 using Unity.Mathematics;
+using UnityEngine;
 using Random = Unity.Mathematics.Random;
 
 namespace Alate.Tests
@@ -28,6 +30,21 @@ namespace Alate.Tests
                         places[k], Is.EqualTo(Array.FindIndex(points, point => math.all(point == points[k]))), $"seed {seed}, vertex {k}");
                 }
             }
+        }
+
+        [TestCase(1000f, 0.95e-3f, true)]
+        [TestCase(1000f, 1.06e-3f, false)]
+        [TestCase(0.001f, 0.95e-9f, true)]
+        [TestCase(0.001f, 1.06e-9f, false)]
+        public void Join_TiesVerticesWithinAMillionthOfTheLargestCoordinate(float size, float apart, bool isJoined)
+        {
+            var positions = new[] { new Vector3(0f, 0f, 0f), new Vector3(0f, -size, 0f), new Vector3(apart, 0f, 0f),
+                new Vector3(float.NaN, 0f, 0f), new Vector3(0f, 0f, 0f), new Vector3(7f * size, 0f, 0f) };
+            var sets = new DisjointSets(6);
+
+            // The last two are not used, the one before is no place.
+            VertexWeld.Join(positions, new[] { 0, 1, 2, 3 }, sets);
+            Assert.That(Enumerable.Range(0, 6).Select(vertex => sets.Find(vertex)), Is.EqualTo(new[] { 0, 1, isJoined ? 0 : 2, 3, 4, 5 }));
         }
 
         [Test]
