@@ -67,7 +67,7 @@ namespace Alate.Tests
         public void WhereRaysShow_ChainsRunAlongThem_OrEvenlyBetweenThemWhereTheyAreFew([Values(3, 5, 11, 16)] int chains)
         {
             var fin = new RayFin();
-            List<(double, double)> corners = fin.Outline().Select(corner => ((double)corner.x, (double)corner.z)).ToList();
+            var corners = fin.Outline().Select(corner => ((double)corner.x, (double)corner.z)).ToList();
             corners.Insert(0, (0, 0));
             FanShares shares = Shares(Curve(corners), chains, out WingLandmarks marks, out WingMargin margin);
             Assert.That(marks.Rays, Has.Count.EqualTo(11));
@@ -123,8 +123,8 @@ namespace Alate.Tests
             Assert.That(marks.Trimmed.Tails, Is.Empty);
             List<PlanPoint[][]> layouts = new FanChains(outline, marks, notes).Lay(5, 6);
             PlanPoint[] first = layouts[0][0], last = layouts[0][4];
-            List<PlanPoint> rim = first.Concat(margin.Points.Skip(1)).Concat(last.Reverse()).ToList();
-            List<double> values = first.Select(_ => 0.0).Concat(margin.Shares.Skip(1)).Concat(last.Select(_ => 1.0)).ToList();
+            var rim = first.Concat(margin.Points.Skip(1)).Concat(last.Reverse()).ToList();
+            var values = first.Select(_ => 0.0).Concat(margin.Shares.Skip(1)).Concat(last.Select(_ => 1.0)).ToList();
             var field = new FanField(rim, values, margin.Points[0] - marks.Base);
             double bent = 0.0;
             for (int chain = 1; chain < 4; chain++)

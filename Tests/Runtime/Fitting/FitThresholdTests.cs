@@ -186,7 +186,7 @@ namespace Alate.Tests
         public void AFoldedSheet_IsTakenForAShell_WhereItsOutlineEnclosesLessThanThreeQuarters(float flap, bool isShell)
         {
             // The square of 1 with a triangle folded back over it: (1 − flap) / (1 + flap) is 3/4 at 1/7.
-            var points = new[] { new Vector3(0, 0, 0), new Vector3(1, 0, 0), new Vector3(1, 0, 1), new Vector3(0, 0, 1),
+            Vector3[] points = new[] { new Vector3(0, 0, 0), new Vector3(1, 0, 0), new Vector3(1, 0, 1), new Vector3(0, 0, 1),
                 new Vector3(0.5f, 0.01f, 2f * flap) };
             FitNotes notes = Read(points, new[] { 0, 2, 1, 0, 3, 2, 0, 1, 4 });
 

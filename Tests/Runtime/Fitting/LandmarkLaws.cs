@@ -183,7 +183,7 @@ namespace Alate.Tests
 
         private static bool TryFind(ClosedCurve wing, (double X, double Z) tip, out OutlineStretch tail)
         {
-            PlanPoint rear = new PlanPoint(0.0, wing.Samples.Min(place => place.z));
+            var rear = new PlanPoint(0.0, wing.Samples.Min(place => place.z));
             return TipNeck.TryFind(wing, 0.0, wing.Nearest(new PlanPoint(tip.X, tip.Z)), wing.Nearest(rear), out tail);
         }
 

@@ -162,7 +162,7 @@ namespace Alate.Tests
         private static (List<PlanPoint> Points, double Sum) Hollow(double width, double angle, double depth)
         {
             PlanPoint from = On(angle, 1.0), to = On(angle - Turn(width), 1.0), inward = PlanPoint.Unit((from + to) * -1.0);
-            List<PlanPoint> points = Enumerable.Range(0, 25)
+            var points = Enumerable.Range(0, 25)
                 .Select(k => from + (to - from) * (k / 24.0) + inward * (depth * Math.Sin(Math.PI * k / 24.0))).ToList();
             return (points, Polyline.LengthOf(points));
         }

@@ -38,7 +38,7 @@ namespace Alate.Tests
         [TestCase(0.001f, 1.06e-9f, false)]
         public void Join_TiesVerticesWithinAMillionthOfTheLargestCoordinate(float size, float apart, bool isJoined)
         {
-            var positions = new[] { new Vector3(0f, 0f, 0f), new Vector3(0f, -size, 0f), new Vector3(apart, 0f, 0f),
+            Vector3[] positions = new[] { new Vector3(0f, 0f, 0f), new Vector3(0f, -size, 0f), new Vector3(apart, 0f, 0f),
                 new Vector3(float.NaN, 0f, 0f), new Vector3(0f, 0f, 0f), new Vector3(7f * size, 0f, 0f) };
             var sets = new DisjointSets(6);
 

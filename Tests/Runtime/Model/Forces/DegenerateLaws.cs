@@ -37,7 +37,7 @@ namespace Alate.Tests
             const float angle = 0.6f;
             float sine = across == 0f ? 0f : across * math.sin(angle), cosine = across == 0f ? along : math.cos(angle);
             var wind = new float3(2f * cosine, 2f * sine, 0f);
-            var stream = PatchAir.Evaluate(new SoaFloat3(wind), Lanes.All(0f, 1f, 0f));
+            PatchStream stream = PatchAir.Evaluate(new SoaFloat3(wind), Lanes.All(0f, 1f, 0f));
             stream.lift = 0.5f;
             float3 force = PatchAir.Force(stream, new SoaFloat3(wind), Lanes.All(0f, 1f, 0f), 3f)[0];
             if (side != 0f)

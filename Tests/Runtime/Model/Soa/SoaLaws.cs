@@ -94,7 +94,7 @@ namespace Alate.Tests
             {
                 var random = new Random(seed);
                 float3 from = random.NextFloat3Direction(), to = random.NextFloat3Direction();
-                SoaQuaternion swing = SoaQuaternion.Swing(new SoaFloat3(from), new SoaFloat3(to));
+                var swing = SoaQuaternion.Swing(new SoaFloat3(from), new SoaFloat3(to));
                 AssertNear(math.rotate(swing[1], from), to, 1e-4f);
                 Assert.That(math.dot(swing[1].value.xyz, from), Is.EqualTo(0f).Within(1e-5f), "square to both");
             }

@@ -64,7 +64,7 @@ namespace Alate.Tests
         {
             using (var table = new BodyTable())
             {
-                List<BodyHandle> bodies = Enumerable.Range(0, 40)
+                var bodies = Enumerable.Range(0, 40)
                     .Select(k => table.Add(new FlyingBody { aid = k, mode = BodyMode.Held })).ToList();
                 for (int k = 0; k < 40; k++)
                 {
@@ -173,7 +173,7 @@ namespace Alate.Tests
             var places = new HashSet<int>();
             foreach (BodyHandle body in bodies)
             {
-                List<WingEntry> wings = m_Wings.Where(wing => wing.body == body.index + 1).ToList();
+                var wings = m_Wings.Where(wing => wing.body == body.index + 1).ToList();
                 Assert.That(table[body].wingCount, Is.EqualTo(wings.Count));
                 for (int at = table[body].firstWing; at < table[body].firstWing + wings.Count; at++)
                 {

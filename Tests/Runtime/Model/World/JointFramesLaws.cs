@@ -43,7 +43,7 @@ namespace Alate.Tests
             using (var fixture = new PackFixture(TestWings.Rig(8), WingParameters.Default))
             {
                 WingPack pack = fixture.Pack;
-                quaternion turn = quaternion.AxisAngle(math.normalize(new float3(0.2f, 0.9f, -0.4f)), 1.1f);
+                var turn = quaternion.AxisAngle(math.normalize(new float3(0.2f, 0.9f, -0.4f)), 1.1f);
                 for (int bone = 0; bone < pack.rig.boneCount; bone++)
                     pack.bentRotations[bone] = new SoaQuaternion(new SoaFloat3(turn.value.xyz), turn.value.w);
                 for (int joint = 0; joint < pack.rig.jointCount; joint++)
