@@ -6,7 +6,7 @@ using UnityEngine;
 
 namespace Alate.Tests
 {
-    /// <summary>Where a skeleton ceases to be one: just before each bound and just beyond it; and values along its chains.</summary>
+    /// <summary>Bounds at which a skeleton ceases to be one, just before and just beyond each; and values along its chains.</summary>
     public sealed class SkeletonThresholdLaws
     {
         [TestCase(0.95e-4f, SkeletonProblemKind.CoincidentJoints)]

@@ -7,7 +7,7 @@ using UnityEngine;
 
 namespace Alate.Tests
 {
-    /// <summary>What wings are told: each number in its place, named where it is none, and derived numbers by their laws.</summary>
+    /// <summary>Numbers that wings are told: each in its place, named where it is none, and derived ones by their laws.</summary>
     public sealed unsafe class StateLaws
     {
         private static IEnumerable<FieldInfo> SurroundingFields => typeof(WingSurroundings).GetFields();
