@@ -42,6 +42,7 @@ public static class Program
         root.Subcommands.Add(SweepCommand.Create(output));
         root.Subcommands.Add(ConvergenceCommand.Create(output));
         root.Subcommands.Add(WindCommand.Create(output));
+        root.Subcommands.Add(WakeCommand.Create(output));
         root.Subcommands.Add(ValidateCommand.Create(output));
         root.Subcommands.Add(SkeletonCommand.Create(output));
         root.Subcommands.Add(BenchCommand.Create(output));

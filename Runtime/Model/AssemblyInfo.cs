@@ -8,6 +8,7 @@ using System.Runtime.CompilerServices;
 [assembly: InternalsVisibleTo("Alate.Authoring")]
 [assembly: InternalsVisibleTo("Alate.Editor")]
 [assembly: InternalsVisibleTo("Alate.Proof")]
+[assembly: InternalsVisibleTo("Alate.Wake")]
 [assembly: InternalsVisibleTo("Alate.Tests")]
 [assembly: InternalsVisibleTo("Alate.Editor.Tests")]
 [assembly: InternalsVisibleTo("Alate.Headless.Tests")]

@@ -14,7 +14,7 @@ namespace Alate.Tests.Architecture
             [
                 "Alate", "Alate.Authoring", "Alate.Catalogue", "Alate.Crowds", "Alate.Drawing", "Alate.Fitting", "Alate.Flight",
                 "Alate.Formats",
-                "Alate.Geometry", "Alate.Model", "Alate.Sound",
+                "Alate.Geometry", "Alate.Model", "Alate.Sound", "Alate.Wake",
             ],
         };
 
@@ -44,9 +44,10 @@ namespace Alate.Tests.Architecture
                     ["Flights"] = ["Base"],
                     ["Bakes"] = ["Base"],
                     ["Films"] = ["Base", "Flights"],
+                    ["Wake"] = ["Base", "Flights"],
                     ["Studies"] = ["Base", "Flights"],
                     ["Live"] = ["Base", "Flights"],
-                    ["Commands"] = ["Bakes", "Base", "Films", "Flights", "Live", "Projects", "Studies"],
+                    ["Commands"] = ["Bakes", "Base", "Films", "Flights", "Live", "Projects", "Studies", "Wake"],
                     ["Alate.Cli"] = ["Base", "Commands"],
                 },
                 ["Alate.Cli/Base"] = new Dictionary<string, string[]>

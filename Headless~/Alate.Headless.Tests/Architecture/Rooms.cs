@@ -32,6 +32,7 @@ namespace Alate.Tests.Architecture
             ["Alate.Crowds"] = ["Alate", "Alate.Flight", "Alate.Geometry", "Alate.Model"],
             ["Alate.Catalogue"] = ["Alate", "Alate.Flight", "Alate.Geometry", "Alate.Model"],
             ["Alate.Sound"] = ["Alate", "Alate.Model"],
+            ["Alate.Wake"] = ["Alate.Model"],
             ["Alate.Showcase"] = [],
             ["Alate.Authoring"] = ["Alate.Fitting", "Alate.Geometry", "Alate.Model"],
             ["Alate.Editor"] = ["Alate", "Alate.Authoring", "Alate.Catalogue", "Alate.Crowds", "Alate.Fitting", "Alate.Flight",
@@ -50,6 +51,7 @@ namespace Alate.Tests.Architecture
             ["Alate.Crowds"] = "Runtime/Crowds",
             ["Alate.Catalogue"] = "Runtime/Catalogue",
             ["Alate.Sound"] = "Runtime/Sound",
+            ["Alate.Wake"] = "Runtime/Wake",
             ["Alate.Showcase"] = "Runtime/Showcase",
             ["Alate.Authoring"] = "Editor/Authoring",
             ["Alate.Proof"] = "Editor/Proof",
@@ -144,6 +146,15 @@ namespace Alate.Tests.Architecture
                     ["Factory"] = ["Bodies", "Catalogue", "Definitions", "Materials"],
                     ["Flight"] = ["Catalogue", "Definitions"],
                     ["Showcase"] = ["Catalogue", "Definitions"],
+                },
+                ["Alate.Wake"] = new Dictionary<string, string[]>
+                {
+                    ["Motion"] = [],
+                    ["Vortices"] = [],
+                    ["Settings"] = ["Motion", "Vortices"],
+                    ["Lattices"] = ["Motion", "Settings", "Vortices"],
+                    ["Solving"] = ["Lattices", "Settings", "Vortices"],
+                    ["Wake"] = ["Lattices", "Settings", "Solving", "Vortices"],
                 },
                 ["Alate.Showcase"] = new Dictionary<string, string[]>
                 {

@@ -88,7 +88,8 @@ public sealed class HelpLaws
         string name = words[^1];
         foreach (string slip in new[] { "x" + name, name + "q", name[1..], name[..^1], name[..1] + "qq"[..1] + name[2..] })
         {
-            if (slip.Length < 3)
+            // Without its first letter "bake" is as near to "wake".
+            if (slip.Length < 3 || s_Commands.Count(known => known.Split(' ')[^1].EndsWith(slip)) > 1)
                 continue;
             using var run = new CommandRun();
             Assert.That(run.Run([.. words[..^1], slip]), Is.EqualTo(2));

@@ -9,7 +9,7 @@ using UnityEngine.TestTools;
 
 namespace Alate.Tests.Play.Showcase;
 
-/// <summary>What a made camera shows, its ranges, and its sticks along both axes.</summary>
+/// <summary>Picture of a made camera, its ranges, and its sticks along both axes.</summary>
 public sealed class OrbitCameraLaws : PlayFixture
 {
     [TearDown]

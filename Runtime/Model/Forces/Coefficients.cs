@@ -41,6 +41,25 @@ namespace Alate
             }
         }
 
+        /// <summary>Lift and drag of a set at one angle; NaN for a set that does not exist.</summary>
+        /// <param name="set">The set; the paper's with its lift clamped at 0.</param>
+        /// <param name="sine">Sine of the angle of attack, which is between 0 and a right angle.</param>
+        /// <param name="cosine">Its cosine.</param>
+        /// <param name="lift">C_L.</param>
+        /// <param name="drag">C_D.</param>
+        public static unsafe void At(CoefficientSet set, float sine, float cosine, out float lift, out float drag)
+        {
+            ModelOptions options = ModelOptions.Physical;
+            options.coefficients = set;
+            options.clampLift = true;
+            PatchStream stream = default;
+            stream.across = sine;
+            stream.tangential = cosine;
+            Evaluate(options, &stream, 1);
+            lift = stream.lift.x;
+            drag = stream.drag.x;
+        }
+
         private static unsafe void Angles(PatchStream* streams, int count)
         {
             for (PatchStream* s = streams; s < streams + count; s++)

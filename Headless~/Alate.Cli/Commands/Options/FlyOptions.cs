@@ -85,17 +85,26 @@ internal sealed class FlyOptions
 
     private readonly Option<string> m_Out = new("--out") { HelpName = "DIR", Description = "Where the files go. [default: out/SPECIES]" };
 
-    public void AddTo(Command command)
+    /// <summary>Adds the options of a flight whose beat alone counts: no pictures, no time, no even wake.</summary>
+    public void AddBeatTo(Command command)
     {
-        Option[] all =
-        [
-            m_Speed, m_Climb, m_Pitch, m_Seconds, m_Wind, m_Induced, m_AddedMass, m_Lag, m_Elasticity, m_Substeps, m_Elements,
-            m_Coefficients, m_Preset,
-            m_Variant, m_NoWave, m_Rigid, m_Mesh, m_Skeleton, m_Texture, m_Species, m_Kinematics, m_View, m_NoPictures, m_Out,
-        ];
-        foreach (Option option in all)
+        Option[] others = [m_Seconds, m_Induced, m_Texture, m_View, m_NoPictures];
+        foreach (Option option in All.Except(others))
             command.Options.Add(option);
     }
+
+    public void AddTo(Command command)
+    {
+        foreach (Option option in All)
+            command.Options.Add(option);
+    }
+
+    private Option[] All =>
+    [
+        m_Speed, m_Climb, m_Pitch, m_Seconds, m_Wind, m_Induced, m_AddedMass, m_Lag, m_Elasticity, m_Substeps, m_Elements,
+        m_Coefficients, m_Preset,
+        m_Variant, m_NoWave, m_Rigid, m_Mesh, m_Skeleton, m_Texture, m_Species, m_Kinematics, m_View, m_NoPictures, m_Out,
+    ];
 
     /// <summary>Simulated time; null is the default.</summary>
     public double? Seconds(ParseResult parsed) => parsed.GetValue(m_Seconds);

@@ -164,6 +164,9 @@ internal sealed record FlightPlan
     /// <summary>Velocity of the air against the body along the world's axes, m/s: right, up, ahead.</summary>
     public float3 AirPastBody => new((float)Wind[0], (float)(Wind[1] - Climb), (float)(Wind[2] - Speed));
 
+    /// <summary>Velocity of the air against the body, in axes of the body, m/s.</summary>
+    public float3 AirInBodyAxes => ToBody(AirPastBody, math.radians((float)PitchDegrees));
+
     /// <summary>A direction of the body as the world sees it.</summary>
     public float3 ToWorld(float3 body) => ToBody(body, -math.radians((float)PitchDegrees));
 

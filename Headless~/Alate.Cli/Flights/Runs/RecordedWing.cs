@@ -63,7 +63,22 @@ internal sealed class RecordedWing
             joints[k] = math.lerp(before.Joints[k], after.Joints[k], share);
     }
 
-    private (RecordedFrame Before, RecordedFrame After, float Share) Around(double turns)
+    /// <summary>
+    /// Power that the wing gives to the air in a frame, less force times velocity by the joints' places before and after; the beat repeats.
+    /// Wing masses · L²/s³; needs recorded loads of the air.
+    /// </summary>
+    public double Power(int frame)
+    {
+        int count = Frames.Count;
+        float3[] before = Frames[(frame + count - 1) % count].Joints, after = Frames[(frame + 1) % count].Joints,
+            loads = Frames[frame].AirLoads;
+        double rate = 0.5 * count * Frequency;
+        return -Enumerable.Range(0, loads.Length).Sum(joint => rate * math.dot(loads[joint], after[joint] - before[joint]));
+    }
+
+    /// <summary>The two frames that enclose a phase, and how far it lies between them.</summary>
+    /// <param name="turns">Beats.</param>
+    public (RecordedFrame Before, RecordedFrame After, float Share) Around(double turns)
     {
         double wanted = Turn(turns);
         RecordedFrame before = Frames[0], after = Frames[0];

@@ -22,7 +22,7 @@ internal sealed class DragonflyRun
                 float3 force = size.wingMass * size.wingLength * wing.Placement.DirectionToBody(wing.Frames[k].AirForce);
                 Lift[k] += force.y / measured.Weight;
                 Thrust[k] += force.z / measured.Weight;
-                Power[k] += size.wingMass * size.wingLength * size.wingLength * PowerOf(wing, k) / measured.Mass;
+                Power[k] += size.wingMass * size.wingLength * size.wingLength * wing.Power(k) / measured.Mass;
             }
         }
     }
@@ -98,15 +98,5 @@ internal sealed class DragonflyRun
         preset.Size.insectMass = (float)measured.Mass;
         preset.Size.fluidDensity *= (float)(measured.Areas[wing] / ours);
         preset.Stiffness.strongestWind = WingBounds.StrongestWind.Max;
-    }
-
-    // Less force times velocity, by the joints' places before and after; the beat repeats. Wing masses · L²/s³.
-    private static double PowerOf(RecordedWing wing, int k)
-    {
-        int count = wing.Frames.Count;
-        float3[] before = wing.Frames[(k + count - 1) % count].Joints, after = wing.Frames[(k + 1) % count].Joints,
-            loads = wing.Frames[k].AirLoads;
-        double rate = 0.5 * count * wing.Frequency;
-        return -Enumerable.Range(0, loads.Length).Sum(joint => rate * math.dot(loads[joint], after[joint] - before[joint]));
     }
 }

@@ -77,7 +77,10 @@ namespace Alate.Tests.Play.Flight
             var views = new NativeArray<FlockView>(2, Allocator.TempJob);
             members[0] = new FlockMember
             {
-                position = new float3(3f, 1f, 1f), sight = 100f, room = 100f, group = fresh.Member.group,
+                position = new float3(3f, 1f, 1f),
+                sight = 100f,
+                room = 100f,
+                group = fresh.Member.group,
             };
             members[1] = fresh.Member;
             FlockGrid.Look(members, views);

@@ -1,0 +1,40 @@
+using System.CommandLine;
+
+namespace Alate.Cli;
+
+/// <summary>
+/// <c>wake SPECIES</c>: flies an insect on the spot, lets its wings shed a free wake, and writes the loads with and without it.
+/// </summary>
+internal static class WakeCommand
+{
+    public static Command Create(TextWriter output)
+    {
+        var species = new Argument<string>("SPECIES")
+        {
+            Arity = ArgumentArity.ZeroOrOne,
+            Description = $"The insect: {string.Join(", ", InsectCatalogue.Names)}. Not with --mesh.",
+        };
+        var flight = new FlyOptions();
+        var options = new WakeOptions();
+        var command = new Command("wake", "Computes the air that the wings of an insect leave behind, and its loads on them.") { species };
+        options.AddTo(command);
+        flight.AddBeatTo(command);
+        HelpExamples.Set(command, k_Examples);
+        command.SetAction(parsed =>
+        {
+            WakeReport.Run(flight.Plan(parsed, parsed.GetValue(species)), options.Plan(parsed), output);
+            return 0;
+        });
+        return command;
+    }
+
+    private const string k_Examples =
+        "Examples:\n"
+        + "  wake monarch --variant flight --pitch 28\n"
+        + "  wake dragonfly --kinematics Documentation~/kinematics/dragonfly-flight-2.json --speed 1.5 --coefficients dragonfly\n"
+        + "  wake dragonfly --method panels --steps 40 --ground 0.03\n\n"
+        + "Writes into the output folder:\n"
+        + "  wake.csv      force and power of each wing over the last beat, with the wake and without, N and W\n"
+        + "  inflow.json   mean and two harmonics of the air that the wake sets moving at each wing, m/s\n\n"
+        + "Exit code: 0 when all is written, 2 for bad usage or input (nothing is written then).\n";
+}

@@ -1,0 +1,124 @@
+using Alate.Wake;
+
+namespace Alate.Cli;
+
+/// <summary>Wake behind the recorded beat of a flight, in metres, seconds and newtons; axes of the body.</summary>
+internal sealed class WakeFlight : IDisposable
+{
+    private readonly FreeWake m_Wake;
+    private readonly double m_Density;
+
+    /// <summary>Lays lattices on the wings; nothing has been shed yet.</summary>
+    /// <exception cref="UserException">A number of the plan is out of its range, or a wing has no area.</exception>
+    public WakeFlight(FlightRecord flight, WakePlan plan)
+    {
+        Flight = flight;
+        Plan = plan;
+        Length = flight.Wings.Max(wing => wing.Wing.Preset.WingLength);
+        Period = 1.0 / flight.Wings[0].Frequency;
+        m_Density = plan.Density ?? flight.Wings[0].Wing.Preset.Size.fluidDensity;
+        float3 air = flight.Plan.AirInBodyAxes;
+        IsSymmetric = air.x == 0f;
+        Wings = flight.Wings.Where(wing => !IsSymmetric || !wing.Placement.IsLeft).ToList();
+        var settings = new WakeSettings(plan.Method)
+        {
+            SpanPanels = plan.SpanPanels,
+            StepsPerBeat = plan.StepsPerBeat,
+            Keep = (float)plan.Keep,
+            Symmetric = IsSymmetric,
+            Stream = air * (float)(Period / Length),
+            Viscosity = (float)(k_AirViscosity * Period / (Length * Length)),
+            Up = flight.Plan.UpOfBody,
+        };
+        settings.ChordPanels = plan.ChordPanels ?? settings.ChordPanels;
+        settings.FarCore = (float)(plan.FarCore ?? settings.FarCore);
+        settings.GroundHeight = plan.Ground is double height ? (float)(height / Length) : settings.GroundHeight;
+        try
+        {
+            m_Wake = new FreeWake(settings, Wings.ConvertAll(WingOf));
+        }
+        catch (ArgumentException problem)
+        {
+            throw new UserException(problem.Message);
+        }
+    }
+
+    /// <summary>Kinematic viscosity of air at 20 °C, m²/s.</summary>
+    private const double k_AirViscosity = 1.5e-5;
+
+    public FlightRecord Flight { get; }
+    public WakePlan Plan { get; }
+
+    /// <summary>Metres of the wake's unit of length.</summary>
+    public double Length { get; }
+
+    /// <summary>Seconds of a beat.</summary>
+    public double Period { get; }
+
+    /// <summary>True where right wings alone are computed, as left ones are their mirror images.</summary>
+    public bool IsSymmetric { get; }
+
+    /// <summary>Wings with a lattice.</summary>
+    public List<RecordedWing> Wings { get; }
+
+    public FreeWake Wake => m_Wake;
+
+    /// <summary>Frees the memory.</summary>
+    public void Dispose() => m_Wake.Dispose();
+
+    /// <summary>Flies all beats, and returns the loads of the last one.</summary>
+    /// <param name="progress">Told the steps done so far.</param>
+    public List<WakeMoment> Run(Action<int> progress)
+    {
+        var moments = new List<WakeMoment>();
+        int steps = Plan.Beats * Plan.StepsPerBeat;
+        for (int k = 0; k < steps; k++)
+        {
+            double time = m_Wake.Time;
+            m_Wake.Step();
+            if (k >= steps - Plan.StepsPerBeat)
+                moments.Add(Moment(time - (Plan.Beats - 1)));
+            progress(k + 1);
+        }
+
+        return moments;
+    }
+
+    private WakeMoment Moment(double turns)
+    {
+        double force = m_Density * Math.Pow(Length, 4) / (Period * Period), power = force * Length / Period, speed = Length / Period;
+        return new WakeMoment(turns, Enumerable.Range(0, m_Wake.WingCount).Select(m_Wake.Loads).Select(wing => new WakeLoad(
+            (float)force * wing.Force, (float)(force * Length) * wing.Moment, power * wing.Power, (float)speed * wing.Inflow)).ToList(),
+            IsSymmetric);
+    }
+
+    private WakeWing WingOf(RecordedWing wing)
+    {
+        int kind = Flight.Wings.ToList().IndexOf(wing) / 2;
+        float chords = (float)(Plan.Chords?[kind] ?? 1.0);
+        var grid = new SurfaceGrid(wing.Rest, wing.Triangles);
+        float3[][] samples = wing.Frames.Select(frame => Places(wing, grid, frame, chords)).ToArray();
+        return new WakeWing(FourierMotion.Through(samples, grid.Across, grid.Along, wing.Frames[0].Phase / (2.0 * Math.PI)))
+        {
+            Coefficients = wing.Parameters.options.coefficients,
+            Downwash = Plan.Downwash,
+        };
+    }
+
+    // Places of the grid in wake units, chords widened about their middles.
+    private float3[] Places(RecordedWing wing, SurfaceGrid grid, RecordedFrame frame, float chords)
+    {
+        // The preset's length, which a flight of published sizes changes.
+        WingMount mount = wing.Placement with { Length = wing.Wing.Preset.WingLength };
+        float3[] places = Array.ConvertAll(grid.Evaluate(frame.Positions), place => mount.ToBody(place) / (float)Length);
+        int last = (grid.Across - 1) * grid.Along;
+        for (int k = 0; k < grid.Along && chords != 1f; k++)
+        {
+            float3 middle = 0.5f * (places[k] + places[last + k]);
+            for (int i = 0; i < grid.Across; i++)
+                places[i * grid.Along + k] = middle + chords * (places[i * grid.Along + k] - middle);
+        }
+
+        return places;
+    }
+}

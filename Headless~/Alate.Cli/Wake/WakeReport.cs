@@ -1,0 +1,37 @@
+namespace Alate.Cli;
+
+/// <summary>Flies a plan, computes the wake of its last beat, and writes what came of it: all of the files or none.</summary>
+internal static class WakeReport
+{
+    private const string k_Table = "wake.csv", k_Inflow = "inflow.json";
+
+    /// <summary>
+    /// Substeps of a flight that is not told any: at the default ones lift is up to 15 % low, which would be taken for the wake's.
+    /// </summary>
+    private const int k_Substeps = 96;
+
+    /// <exception cref="UserException">Anything the user can mend; nothing has been written then.</exception>
+    public static void Run(FlightPlan plan, WakePlan wake, TextWriter output)
+    {
+        plan = plan with { RecordsAir = true, Substeps = plan.Substeps ?? k_Substeps };
+        var insect = Insect.Of(plan);
+        PlanRange.CheckElasticity(plan, plan.Elasticity);
+        using var flight = new TetheredFlight(plan, insect);
+        string path = plan.Folder ?? Path.Combine("out", insect.Name + "-wake");
+        using var folder = OutputFolder.Prepare(path, k_Table, k_Inflow);
+        var terminal = new Terminal(output);
+        terminal.ShowProgress(flight.Steps + wake.Beats * wake.StepsPerBeat, (steps, stage) =>
+        {
+            FlightRecord record = flight.Run(steps);
+            stage("shedding the wake");
+            using var shed = new WakeFlight(record, wake);
+            List<WakeMoment> beat = shed.Run(done => steps(flight.Steps + done));
+            stage("writing");
+            folder.Write(k_Table, stream => CsvTable.Write(stream, WakeTable.Of(shed, beat)));
+            folder.Write(k_Inflow, stream => InflowJson.Write(shed, beat, stream));
+            terminal.ShowTable($"{insect.DisplayName} with its wake", WakeTable.Summary(shed, beat));
+        });
+        folder.Commit();
+        terminal.ShowFiles(path, k_Table, k_Inflow);
+    }
+}

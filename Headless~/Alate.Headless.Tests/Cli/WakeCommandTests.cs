@@ -1,0 +1,123 @@
+using System;
+using System.Collections.Generic;
+using System.Globalization;
+using System.IO;
+using System.Linq;
+using System.Text.Json;
+using Alate.Catalogue;
+using Alate.Cli;
+using Alate.Wake;
+using NUnit.Framework;
+using Unity.Mathematics;
+
+namespace Alate.Tests.Cli
+{
+    /// <summary>Files and messages of the command wake, and wakes of published flights.</summary>
+    public sealed class WakeCommandTests
+    {
+        private CommandRun m_Run;
+
+        [OneTimeSetUp]
+        public void Shed()
+        {
+            m_Run = new CommandRun();
+            int code = m_Run.Run(
+                "wake", "dragonfly", "--variant", "flight", "--substeps", "24", "--span-panels", "5", "--steps", "16", "--out", m_Run.Out);
+            Assert.That(code, Is.Zero, m_Run.Errors);
+        }
+
+        [OneTimeTearDown]
+        public void RemoveFolder() => m_Run.Dispose();
+
+        private string[][] Rows() => File.ReadAllLines(Path.Combine(m_Run.Out, "wake.csv")).Select(line => line.Split(',')).ToArray();
+
+        private static double Number(string cell) => double.Parse(cell, CultureInfo.InvariantCulture);
+
+        [Test]
+        public void Table_HasARowAWingAndStep_OfTheRightWings()
+        {
+            string[][] rows = Rows();
+            Assert.That(rows.Length, Is.EqualTo(1 + 2 * 16));
+            Assert.That(rows.Skip(1).Select(row => row[1]).Distinct(), Is.EqualTo(new[] { "right fore wing", "right hind wing" }));
+            for (int k = 0; k < 16; k++)
+                Assert.That(Number(rows[1 + 2 * k][0]), Is.EqualTo(k / 16.0).Within(1e-6));
+        }
+
+        [Test]
+        public void Inflow_IsTheMeanOfTheTable_AndItsWaves()
+        {
+            string[][] rows = Rows().Skip(1).Where(row => row[1] == "right hind wing").ToArray();
+            using var json = JsonDocument.Parse(File.ReadAllText(Path.Combine(m_Run.Out, "inflow.json")));
+            JsonElement wing = json.RootElement.GetProperty("wings")[1];
+            Assert.That(wing.GetProperty("wing").GetString(), Is.EqualTo("right hind wing"));
+            for (int axis = 0; axis < 3; axis++)
+            {
+                double[] values = rows.Select(row => Number(row[9 + axis])).ToArray();
+                Assert.That(wing.GetProperty("mean_m_s")[axis].GetDouble(), Is.EqualTo(values.Average()).Within(2e-5));
+                double cosine = 2.0 * values.Select((value, k) => value * Math.Cos(4.0 * Math.PI * k / 16.0)).Average();
+                Assert.That(wing.GetProperty("cosine_2_m_s")[axis].GetDouble(), Is.EqualTo(cosine).Within(2e-5));
+                double sine = 2.0 * values.Select((value, k) => value * Math.Sin(2.0 * Math.PI * k / 16.0)).Average();
+                Assert.That(wing.GetProperty("sine_1_m_s")[axis].GetDouble(), Is.EqualTo(sine).Within(2e-5));
+            }
+        }
+
+        [Test]
+        public void Terminal_SetsTheMeansBesideThoseWithoutAWake()
+        {
+            Assert.That(m_Run.Output, Does.Contain("Dragonfly with its wake").And.Contain("lift / weight"));
+            Assert.That(m_Run.Output, Does.Contain("power to the air, W/kg"));
+            Assert.That(m_Run.Output, Does.Contain("wake.csv").And.Contain("inflow.json"));
+        }
+
+        [TestCase("--chord-panels goes with --method panels", "--chord-panels", "3")]
+        [TestCase("--downwash goes with --method strips", "--method", "panels", "--downwash", "none")]
+        [TestCase("rings of all wings is", "--method", "panels", "--chord-panels", "64", "--span-panels", "256")]
+        [TestCase("--steps", "--steps", "3")]
+        public void OptionsThatDoNotGo_AreNamed_AndLeaveNothing(string message, params string[] options)
+        {
+            using var run = new CommandRun();
+            Assert.That(run.Run(["wake", "dragonfly", "--substeps", "12", "--out", run.Out, .. options]), Is.EqualTo(2));
+            Assert.That(run.Errors, Does.Contain(message));
+            Assert.That(run.Errors.Trim().Split('\n'), Has.Length.EqualTo(1));
+            Assert.That(Directory.Exists(run.Out), Is.False);
+        }
+
+        // The published flights by strips with the drag of a dragonfly's wing: a steady flight carries the weight.
+        [TestCase(0)]
+        [TestCase(1, Explicit = true, Category = "Long")]
+        [TestCase(2, Explicit = true, Category = "Long")]
+        public void WithItsWake_ADragonflyCarriesItsWeight(int number)
+        {
+            MeasuredDragonfly flight = MeasuredDragonfly.Flights[number];
+            var run = DragonflyRun.Fly(flight, true, 48, ownDrag: true);
+            IReadOnlyList<WingDefinition> kinds = InsectCatalogue.Find("dragonfly").Wings;
+            double[] chords = Enumerable.Range(0, 2)
+                .Select(k => flight.Areas[k] / (kinds[k].Outline.Area * flight.Lengths[k] * flight.Lengths[k])).ToArray();
+            using var wake = new WakeFlight(run.Record, new WakePlan { Chords = chords, Density = 1.225 });
+            List<WakeMoment> beat = wake.Run(_ => { });
+            Assert.That(beat.Average(at => at.Force.y) / flight.Weight, Is.EqualTo(1.0).Within(0.12));
+            Assert.That(wake.Wake.Failures, Is.Zero);
+        }
+
+        [Test]
+        public void WithoutSymmetry_AllWingsShed_AndAgreeWithTheMirroredOnes()
+        {
+            FlightRecord record = TetheredFlight.Fly(new FlightPlan { Species = "dragonfly", Substeps = 24, Speed = 1.3 });
+            var plan = new WakePlan { Beats = 1, SpanPanels = 5, StepsPerBeat = 16, Method = WakeMethod.Panels, ChordPanels = 2 };
+            using var half = new WakeFlight(record, plan);
+            // A breath from the side that changes nothing but which wings are computed.
+            FlightRecord blown = TetheredFlight.Fly(
+                new FlightPlan { Species = "dragonfly", Substeps = 24, Speed = 1.3, Wind = [1e-6, 0, 0] });
+            using var whole = new WakeFlight(blown, plan);
+            List<WakeMoment> mirrored = half.Run(_ => { }), all = whole.Run(_ => { });
+            Assert.That(half.Wings, Has.Count.EqualTo(2));
+            Assert.That(whole.Wings, Has.Count.EqualTo(4));
+            for (int k = 0; k < mirrored.Count; k++)
+            {
+                float size = math.length(mirrored[k].Force) + 1e-3f;
+                Assert.That(math.length(mirrored[k].Force - all[k].Force) / size, Is.LessThan(0.01f));
+                Assert.That(all[k].Power, Is.EqualTo(mirrored[k].Power).Within(0.01 * Math.Abs(mirrored[k].Power) + 1e-4));
+            }
+        }
+    }
+}

@@ -1,0 +1,187 @@
+using System;
+using System.Linq;
+using Alate.Wake;
+using MathNet.Numerics.LinearAlgebra;
+using NUnit.Framework;
+using Unity.Mathematics;
+using Random = Unity.Mathematics.Random;
+
+namespace Alate.Tests.Wake
+{
+    /// <summary>Free wakes as a whole: bounds, conservation, memory and messages.</summary>
+    public sealed class FreeWakeTests
+    {
+        // Plate that claps against its mirror image: hinged at a gap from the plane of symmetry, from level to upright and back.
+        private sealed class Clapping : IWingMotion
+        {
+            public float Gap { get; init; }
+
+            public void Evaluate(double beats, ReadOnlySpan<float2> places, Span<float3> points, Span<float3> velocities)
+            {
+                double angle = 0.25 * Math.PI * (1.0 - Math.Cos(2.0 * Math.PI * beats));
+                double rate = 0.5 * Math.PI * Math.PI * Math.Sin(2.0 * Math.PI * beats);
+                float cos = (float)Math.Cos(angle), sin = (float)Math.Sin(angle);
+                for (int k = 0; k < places.Length; k++)
+                {
+                    points[k] = new float3(0.5f * Gap + places[k].y * cos, places[k].y * sin, 1.5f - 3f * places[k].x);
+                    velocities[k] = (float)rate * places[k].y * new float3(-sin, cos, 0f);
+                }
+            }
+        }
+
+        [Test]
+        public void WingsThatClap_StayBounded([Values] WakeMethod method, [Values(0.02f, 0f)] float gap)
+        {
+            var settings = new WakeSettings(method) { Symmetric = true, SpanPanels = 6, Stream = new float3(0f, 0f, -1f) };
+            using var wake = new FreeWake(settings, new[] { new WakeWing(new Clapping { Gap = gap }) });
+            for (int k = 0; k < 72; k++)
+            {
+                wake.Step();
+                float largest = wake.Wings[0].Lattice.Circulation.Max(math.abs);
+                // A few times the chord and the speed of the tip, 3 · π²/2.
+                Assert.That(largest, Is.LessThan(20f));
+                Assert.That(math.all(math.isfinite(wake.Loads(0).Force)), Is.True);
+            }
+        }
+
+        [Test]
+        public void RandomMotions_StayFinite([Range(1, 24)] int seed)
+        {
+            var random = Random.CreateFromIndex((uint)seed);
+            var samples = new float3[16][];
+            float3[] means = { new(0.1f, 0f, 0.2f), new(1f, 0f, 0.1f), new(0.1f, 0f, -0.2f), new(1f, 0f, -0.1f) };
+            float3[] swings = means.Select(_ => random.NextFloat3(-0.6f, 0.6f)).ToArray();
+            float3[] phases = means.Select(_ => random.NextFloat3(0f, 6f)).ToArray();
+            for (int k = 0; k < samples.Length; k++)
+            {
+                float phase = 2f * math.PI * k / samples.Length;
+                samples[k] = means.Select((mean, n) => mean + swings[n] * math.cos(phase + phases[n])).ToArray();
+            }
+            var settings = new WakeSettings(random.NextBool() ? WakeMethod.Panels : WakeMethod.Strips)
+            {
+                SpanPanels = 5,
+                StepsPerBeat = 16,
+                Symmetric = random.NextBool(),
+                Stream = random.NextFloat3(-2f, 2f) * new float3(0f, 1f, 1f),
+                GroundHeight = random.NextBool() ? 1.2f : float.PositiveInfinity,
+            };
+            using var wake = new FreeWake(settings, new[] { new WakeWing(FourierMotion.Through(samples, 2, 2)) });
+            for (int k = 0; k < 48; k++)
+                wake.Step();
+            WingState wing = wake.Wings[0];
+            Assert.That(math.all(math.isfinite(wing.Loads.Force)) && math.isfinite(wing.Loads.Power), Is.True);
+            for (int row = 0; row < wing.Sheet.RowCount; row++)
+            {
+                for (int j = 0; j < wing.Sheet.Width; j++)
+                    Assert.That(math.all(math.isfinite(wing.Sheet.Point(row, j))), Is.True);
+            }
+        }
+
+        [Test]
+        public void TheCirculationOfAWing_IsThatOfItsWakeWithTheOtherSign()
+        {
+            // Kelvin: rings are closed, so what a row has shed since the start adds up to what is bound.
+            using var wake = new FreeWake(
+                new WakeSettings(WakeMethod.Panels) { SpanPanels = 4, Stream = new float3(0f, 0f, -1f), Keep = 10f },
+                new[] { new WakeWing(Plate.Steady(3f, 0.1)) });
+            for (int k = 0; k < 30; k++)
+                wake.Step();
+            WingState wing = wake.Wings[0];
+            // The ring behind the edge has what the edge had a step before.
+            Assert.That(wing.Sheet.Circulation(1, 2), Is.EqualTo(wing.Lattice.Before[wing.Lattice.Ring(3, 2)]).Within(1e-6f).Or
+                .EqualTo(wing.Lattice.LongBefore[wing.Lattice.Ring(3, 2)]).Within(1e-6f));
+            Assert.That(wing.Sheet.RowCount, Is.EqualTo(30));
+            Assert.That(wing.Sheet.Age(29), Is.EqualTo(30f / 24f).Within(1e-5f));
+        }
+
+        [Test]
+        public void AStep_AllocatesNothing([Values] WakeMethod method)
+        {
+            using var wake = new FreeWake(
+                new WakeSettings(method) { SpanPanels = 5, Symmetric = true, Stream = new float3(0f, 0f, -1f) },
+                new[] { new WakeWing(Plate.Steady(2f, 0.1)) });
+            for (int k = 0; k < 4; k++)
+                wake.Step();
+            // The least of some steps: the runtime allocates now and then as it compiles.
+            long least = long.MaxValue;
+            for (int k = 0; k < 20; k++)
+            {
+                long before = GC.GetAllocatedBytesForCurrentThread();
+                wake.Step();
+                least = Math.Min(least, GC.GetAllocatedBytesForCurrentThread() - before);
+            }
+
+            Assert.That(least, Is.Zero);
+        }
+
+        [Test]
+        public void ALinearSystem_IsSolvedAsByALibrary([Range(1, 5)] int seed)
+        {
+            var random = Random.CreateFromIndex((uint)seed);
+            int size = 3 + 7 * seed;
+            Matrix<double> matrix = Matrix<double>.Build.Dense(size, size, (_, _) => random.NextFloat(-1f, 1f));
+            Vector<double> right = Vector<double>.Build.Dense(size, _ => random.NextFloat(-1f, 1f));
+            var system = new LinearSystem(size);
+            for (int row = 0; row < size; row++)
+            {
+                for (int column = 0; column < size; column++)
+                    system.Set(row, column, matrix[row, column]);
+                system.SetRight(row, right[row]);
+            }
+
+            float[] solution = new float[size];
+            Assert.That(system.Solve(solution), Is.True);
+            Vector<double> exact = matrix.Solve(right);
+            for (int k = 0; k < size; k++)
+                Assert.That(solution[k], Is.EqualTo(exact[k]).Within(1e-5 * exact.InfinityNorm()));
+        }
+
+        [Test]
+        public void ASingularSystem_HasNoSolution()
+        {
+            var system = new LinearSystem(2);
+            for (int k = 0; k < 4; k++)
+                system.Set(k / 2, k % 2, 1.0);
+            system.SetRight(0, 1.0);
+            system.SetRight(1, 2.0);
+            float[] solution = { 5f, 6f };
+            Assert.That(system.Solve(solution), Is.False);
+            Assert.That(solution, Is.All.Zero);
+        }
+
+        [TestCase("StepsPerBeat is 3; allowed: 4 to 1000.")]
+        [TestCase("SpanPanels is 0; allowed: 1 to 256.")]
+        [TestCase("ChordPanels is 2; allowed: 1 for strips.")]
+        [TestCase("Keep is NaN; allowed: above 0, at most 1000 beats.")]
+        [TestCase("FarCore is 0.1; allowed: NearCore to 10 chords.")]
+        [TestCase("GroundHeight is -1; allowed: above 0.")]
+        [TestCase("Viscosity is -1; allowed: at least 0.")]
+        [TestCase("rings of all wings is 2560; allowed: at most 2000.")]
+        [TestCase("vertices of the wake is 4112514; allowed: at most 4000000: fewer steps, panels or beats to keep.")]
+        public void NumbersOutOfRange_AreNamed(string message)
+        {
+            var settings = new WakeSettings(message.StartsWith("rings") ? WakeMethod.Panels : WakeMethod.Strips);
+            switch (message.Split(' ')[0])
+            {
+                case "StepsPerBeat": settings.StepsPerBeat = 3; break;
+                case "SpanPanels": settings.SpanPanels = 0; break;
+                case "ChordPanels": settings.ChordPanels = 2; break;
+                case "Keep": settings.Keep = float.NaN; break;
+                case "FarCore": settings.FarCore = 0.1f; break;
+                case "GroundHeight": settings.GroundHeight = -1f; break;
+                case "Viscosity": settings.Viscosity = -1f; break;
+                case "rings": (settings.ChordPanels, settings.SpanPanels) = (10, 256); break;
+                default: (settings.SpanPanels, settings.StepsPerBeat, settings.Keep) = (256, 1000, 8f); break;
+            }
+
+            WakeWing[] wings = { new(Plate.Steady(1f, 0.0)) };
+            Assert.That(Assert.Throws<ArgumentException>(() => _ = new FreeWake(settings, wings)).Message, Is.EqualTo(message));
+        }
+
+        [Test]
+        public void AWingWithoutAnArea_IsNamed() => Assert.That(
+            Assert.Throws<ArgumentException>(
+                () => _ = new FreeWake(new WakeSettings(), new[] { new WakeWing(Plate.Steady(0f, 0.0)) })).Message,
+            Does.StartWith("A wing has an area of 0"));
+    }
+}

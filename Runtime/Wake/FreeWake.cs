@@ -1,0 +1,120 @@
+using System;
+using System.Collections.Generic;
+using Unity.Mathematics;
+
+namespace Alate.Wake
+{
+    /// <summary>
+    /// Wings that shed a free wake of vortex rings, step by step: the wake moves with the air that all vortices set moving, and the wings
+    /// meet that air. Lengths are reference lengths, times beats, forces over the density of the fluid.
+    /// </summary>
+    public sealed class FreeWake : IDisposable
+    {
+        private readonly WakeSettings m_Settings;
+        private readonly WingState[] m_Wings;
+        private readonly VortexField m_Field;
+        private readonly IWingSolver m_Solver;
+
+        /// <summary>Takes the memory of a wake; nothing has moved yet.</summary>
+        /// <param name="settings">Numbers of the wake; later changes do nothing.</param>
+        /// <param name="wings">Wings; the right ones alone where the settings are symmetric.</param>
+        /// <exception cref="ArgumentException">A number is out of its range, or a wing has no area.</exception>
+        public FreeWake(WakeSettings settings, IReadOnlyList<WakeWing> wings)
+        {
+            settings.Validate(wings.Count);
+            m_Settings = settings;
+            m_Wings = new WingState[wings.Count];
+            int[] first = new int[wings.Count + 1];
+            int vertices = 0, points = 0;
+            for (int k = 0; k < wings.Count; k++)
+            {
+                m_Wings[k] = new WingState(wings[k], settings);
+                first[k + 1] = first[k] + m_Wings[k].Lattice.RingCount;
+                vertices += m_Wings[k].Sheet.MostVertices + 2 * (settings.ChordPanels + 1) * (settings.SpanPanels + 1);
+                points += settings.Rows * (settings.SpanPanels + 1);
+            }
+
+            m_Field = new VortexField(vertices, math.max(points, first[wings.Count]), settings.Images);
+            m_Solver = settings.Method == WakeMethod.Panels
+                ? new PanelSolver(settings, m_Wings, first)
+                : new StripSolver(settings, m_Wings, first);
+        }
+
+        /// <summary>Time of the next step, beats.</summary>
+        public double Time => (double)StepCount / m_Settings.StepsPerBeat;
+
+        /// <summary>Number of steps done.</summary>
+        public int StepCount { get; private set; }
+
+        /// <summary>Number of steps in which the wings had no circulation that fits.</summary>
+        public int Failures { get; private set; }
+
+        /// <summary>Number of influences of segments on points of the wake and the wings.</summary>
+        public long Influences => m_Field.Influences;
+
+        /// <summary>Number of wings.</summary>
+        public int WingCount => m_Wings.Length;
+
+        internal IReadOnlyList<WingState> Wings => m_Wings;
+
+        /// <summary>Loads of the air on a wing in the last step.</summary>
+        /// <exception cref="ArgumentOutOfRangeException">There is no such wing.</exception>
+        public WakeLoads Loads(int wing)
+        {
+            if (wing < 0 || wing >= m_Wings.Length)
+                throw new ArgumentOutOfRangeException(nameof(wing), wing, $"There are {m_Wings.Length} wings, from 0.");
+            return m_Wings[wing].Loads;
+        }
+
+        /// <summary>Frees the memory.</summary>
+        public void Dispose()
+        {
+            m_Field.Dispose();
+            m_Solver.Dispose();
+        }
+
+        /// <summary>Does a step: places the wings, sheds, solves, computes the loads, and moves the wake.</summary>
+        public void Step()
+        {
+            m_Field.Truncate(0);
+            foreach (WingState wing in m_Wings)
+            {
+                wing.Lattice.Shift();
+                wing.Lattice.Place(Time, m_Settings.Stream, m_Settings.Step);
+                wing.Sheet.Shed(wing.Lattice);
+                wing.Sheet.Write(m_Field);
+            }
+
+            if (!m_Solver.Solve(m_Field, StepCount))
+                Failures++;
+            MoveWake();
+            StepCount++;
+        }
+
+        private void MoveWake()
+        {
+            int count = 0;
+            foreach (WingState wing in m_Wings)
+            {
+                wing.WriteBound(m_Field);
+                count += wing.Sheet.PointCount;
+            }
+
+            m_Field.SetPointCount(count);
+            int first = 0;
+            foreach (WingState wing in m_Wings)
+            {
+                wing.Sheet.WritePoints(m_Field, first);
+                first += wing.Sheet.PointCount;
+            }
+
+            m_Field.Induce();
+            first = 0;
+            foreach (WingState wing in m_Wings)
+            {
+                wing.Sheet.Move(m_Field, first, m_Settings.Stream, m_Settings.Step);
+                first += wing.Sheet.PointCount;
+            }
+        }
+    }
+}
