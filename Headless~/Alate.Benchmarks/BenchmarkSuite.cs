@@ -50,6 +50,7 @@ public static class BenchmarkSuite
         }
 
         ArrayComparison.Run(report);
+        WakeComparison.Run(report);
         SubstepBreakdown.Run(report, monarch, version01);
         OnOneCore(() => Crowds(report, monarch, version01, plain));
         SystemFigures.Run(report);

@@ -17,7 +17,8 @@ namespace Alate.Tests.Determinism
     public sealed class SceneHashTests
     {
         // Bodies, patterns, the showcase's camera, the sound and the wake, which is computed apart: no state depends on them.
-        private static readonly Regex s_Looks = new Regex(@"Catalogue/Bodies/|Showcase/|Sound/|Wake/|(Body|Pattern)\.cs$"), s_Library = new Regex(
+        private static readonly Regex s_Looks = new Regex(@"Catalogue/Bodies/|Showcase/|Sound/|Wake/|(Body|Pattern)\.cs$"),
+            s_Library = new Regex(
             @"(?<![\w.])(math|Math|MathF|Mathf)\.(sin|cos|sincos|tan|exp|exp2|exp10|pow|log|log2|log10|atan2?|asin|acos|[st]anh|cosh"
             + @"|Sin|Cos|SinCos|Tan|Exp|Pow|Log\w*|Atan2?|Asin|Acos|Cbrt)\("
             + @"|quaternion\.(AxisAngle|Euler\w*|Rotate[XYZ])\(|math\.slerp\(");

@@ -45,7 +45,14 @@ namespace Alate.Tests.Wake
         }
 
         [Test]
-        public void RandomMotions_StayFinite([Range(1, 24)] int seed)
+        public void RandomMotions_StayFinite([Range(1, 24)] int seed) => AssertFinite(seed);
+
+        [Test]
+        [Explicit]
+        [Category("Long")]
+        public void AThousandRandomMotions_StayFinite([Range(1001, 2000)] int seed) => AssertFinite(seed);
+
+        private static void AssertFinite(int seed)
         {
             var random = Random.CreateFromIndex((uint)seed);
             var samples = new float3[16][];
@@ -68,6 +75,7 @@ namespace Alate.Tests.Wake
             using var wake = new FreeWake(settings, new[] { new WakeWing(FourierMotion.Through(samples, 2, 2)) });
             for (int k = 0; k < 48; k++)
                 wake.Step();
+
             WingState wing = wake.Wings[0];
             Assert.That(math.all(math.isfinite(wing.Loads.Force)) && math.isfinite(wing.Loads.Power), Is.True);
             for (int row = 0; row < wing.Sheet.RowCount; row++)

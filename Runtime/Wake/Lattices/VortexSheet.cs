@@ -7,6 +7,12 @@ namespace Alate.Wake
     /// </summary>
     internal sealed class VortexSheet
     {
+        /// <summary>
+        /// Fastest that vortices drive a point, reference lengths a beat: ten times and more what the tip of an insect's wing does. Keeps
+        /// wings that cross their own wakes from throwing points beyond what floats resolve.
+        /// </summary>
+        private const float k_Fastest = 100f;
+
         private readonly WakeCores m_Cores;
         private readonly int m_Width, m_Capacity;
 
@@ -105,7 +111,9 @@ namespace Alate.Wake
                 for (int j = 0; j < m_Width; j++)
                 {
                     int at = Index(row, j);
-                    float3 velocity = stream + field.Velocity(first + row * m_Width + j);
+                    float3 induced = field.Velocity(first + row * m_Width + j);
+                    float speed = math.length(induced);
+                    float3 velocity = stream + (speed <= k_Fastest ? induced : k_Fastest * math.normalizesafe(induced));
                     m_Points[at] += step * (m_Moved[place] ? 1.5f * velocity - 0.5f * m_Velocities[at] : velocity);
                     m_Velocities[at] = velocity;
                 }

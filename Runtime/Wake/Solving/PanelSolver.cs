@@ -13,12 +13,21 @@ namespace Alate.Wake
         /// <summary>Least cosine of the sweep by which the turned suction is divided.</summary>
         private const float k_LeastCosine = 0.5f;
 
+        /// <summary>
+        /// Largest circulation over that of a flat plate across the fastest air that the wing meets, π c V: wings that touch their mirror
+        /// images or cross their own wakes have no other bound.
+        /// </summary>
+        private const float k_MostCirculation = 10f;
+
         private readonly WakeSettings m_Settings;
         private readonly WingState[] m_Wings;
         private readonly int[] m_First;
         private readonly RingInfluences m_Influences;
         private readonly LinearSystem m_System;
         private readonly float[] m_Circulation;
+
+        // [panel · count + ring] Velocity by a ring of unit circulation of another wing or by mirror images.
+        private readonly float3[] m_Others;
         private readonly double m_Factor;
 
         public PanelSolver(WakeSettings settings, WingState[] wings, int[] first)
@@ -30,6 +39,7 @@ namespace Alate.Wake
             int count = first[wings.Length];
             m_System = new LinearSystem(count);
             m_Circulation = new float[count];
+            m_Others = new float3[count * count];
             m_Factor = LeadingEdge.Factor(settings.ChordPanels);
         }
 
@@ -81,15 +91,42 @@ namespace Alate.Wake
                     int row = m_First[wing] + ring;
                     float3 normal = lattice.Normals[ring];
                     for (int source = 0; source < m_System.Size; source++)
-                        m_System.Set(row, source, math.dot(m_Influences.Velocity(wing, ring, source, out _), normal));
+                    {
+                        float3 velocity = m_Influences.Velocity(wing, ring, source, out float3 own);
+                        m_System.Set(row, source, math.dot(velocity, normal));
+                        m_Others[row * m_System.Size + source] = velocity - own;
+                    }
+
                     m_System.SetRight(row, -math.dot(m_Settings.Stream + m_Wings[wing].Induced[ring] - lattice.Motions[ring], normal));
                 }
             }
 
             bool solved = m_System.Solve(m_Circulation);
             for (int wing = 0; wing < m_Wings.Length; wing++)
+            {
+                solved &= Bound(wing);
                 Array.Copy(m_Circulation, m_First[wing], m_Wings[wing].Lattice.Circulation, 0, m_Wings[wing].Lattice.RingCount);
+            }
+
             return solved;
+        }
+
+        // Returns false where the bound acts.
+        private bool Bound(int wing)
+        {
+            WingLattice lattice = m_Wings[wing].Lattice;
+            float fastest = 0f;
+            foreach (float3 motion in lattice.Motions)
+                fastest = math.max(fastest, math.length(m_Settings.Stream - motion));
+            float most = k_MostCirculation * math.PI * lattice.MeanChord * fastest;
+            bool holds = true;
+            for (int ring = m_First[wing]; ring < m_First[wing + 1]; ring++)
+            {
+                holds &= math.abs(m_Circulation[ring]) <= most;
+                m_Circulation[ring] = math.isnan(m_Circulation[ring]) ? 0f : math.clamp(m_Circulation[ring], -most, most);
+            }
+
+            return holds;
         }
 
         private void Load(int wing, int steps)
@@ -101,7 +138,7 @@ namespace Alate.Wake
                 for (int j = 0; j < lattice.SpanPanels; j++)
                 {
                     int ring = lattice.Ring(i, j);
-                    state.Induced[ring] += OfOthers(wing, ring);
+                    state.Induced[ring] += OfOthers(m_First[wing] + ring);
                     float3 stream = m_Settings.Stream + state.Induced[ring] - lattice.Motions[ring];
                     state.Forces[ring] = Pressure(lattice, i, j, stream, Growth(lattice, ring, steps)) * lattice.Normals[ring];
                     if (i == 0)
@@ -112,11 +149,11 @@ namespace Alate.Wake
             state.SumUp(m_Settings.Stream, 0.25f);
         }
 
-        private float3 OfOthers(int wing, int ring)
+        private float3 OfOthers(int panel)
         {
             float3 sum = default;
             for (int source = 0; source < m_System.Size; source++)
-                sum += m_Circulation[source] * (m_Influences.Velocity(wing, ring, source, out float3 own) - own);
+                sum += m_Circulation[source] * m_Others[panel * m_System.Size + source];
             return sum;
         }
 
