@@ -57,12 +57,12 @@ namespace Alate.Tests.Wake
         };
 
         [Test]
-        public void TheAirGets_WhatTheWingsLose([Values] WakeMethod method, [Values(0.2f, 0.3f, 0f)] float core)
+        public void TheAirGets_WhatTheWingsLose([Values] WakeMethod method, [Values(0.3f, 0f)] float core)
         {
             var settings = new WakeSettings(method)
             {
                 SpanPanels = 12,
-                StepsPerBeat = 40,
+                StepsPerBeat = 24,
                 Keep = k_Beats + 1f,
                 Stream = new float3(0f, 0f, -8f),
                 SuctionAlongChord = true,
