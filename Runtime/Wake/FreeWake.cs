@@ -76,7 +76,7 @@ namespace Alate.Wake
         /// <summary>Does a step: places the wings, sheds, solves, computes the loads, and moves the wake.</summary>
         public void Step()
         {
-            m_Field.Truncate(0);
+            m_Field.Clear();
             foreach (WingState wing in m_Wings)
             {
                 wing.Lattice.Shift();

@@ -21,6 +21,9 @@ namespace Alate.Wake
         private const int k_Lanes = 4;
 
         private readonly int[] m_First;
+
+        // [wing] Place of its first point.
+        private readonly int[] m_Starts;
         private readonly MirrorImages m_Images;
         private readonly int m_Count, m_Stride;
 
@@ -38,10 +41,10 @@ namespace Alate.Wake
             m_Images = images;
             m_Count = first[first.Length - 1];
             // Each wing's points begin a quartet pair of their own, so that one core suits all of a block.
-            Starts = new int[first.Length];
+            m_Starts = new int[first.Length];
             for (int wing = 1; wing < first.Length; wing++)
-                Starts[wing] = Starts[wing - 1] + (first[wing] - first[wing - 1] + 7) / 8 * 8;
-            m_Stride = Starts[first.Length - 1];
+                m_Starts[wing] = m_Starts[wing - 1] + (first[wing] - first[wing - 1] + 7) / 8 * 8;
+            m_Stride = m_Starts[first.Length - 1];
             m_Vertices = new NativeArray<VortexVertex>(2 * k_Ring * m_Count, Allocator.Persistent);
             m_OwnQuartets = new NativeArray<int2>(m_Count, Allocator.Persistent);
             m_Points = new NativeArray<SoaFloat3>(images.Count * m_Stride / k_Lanes, Allocator.Persistent);
@@ -49,11 +52,9 @@ namespace Alate.Wake
             for (int wing = 0; wing + 1 < first.Length; wing++)
             {
                 for (int ring = first[wing]; ring < first[wing + 1]; ring++)
-                    m_OwnQuartets[ring] = new int2(Starts[wing], Starts[wing + 1]) / k_Lanes;
+                    m_OwnQuartets[ring] = new int2(m_Starts[wing], m_Starts[wing + 1]) / k_Lanes;
             }
         }
-
-        private int[] Starts { get; }
 
         /// <summary>Frees the memory.</summary>
         public void Dispose()
@@ -89,12 +90,9 @@ namespace Alate.Wake
         {
             for (int image = 0; image < m_Images.Count; image++)
             {
-                float3 place = m_Images.Point(image, point);
-                int at = image * m_Stride + Starts[wing] + ring, lane = at % k_Lanes;
+                int at = image * m_Stride + m_Starts[wing] + ring;
                 SoaFloat3 quartet = m_Points[at / k_Lanes];
-                quartet.x[lane] = place.x;
-                quartet.y[lane] = place.y;
-                quartet.z[lane] = place.z;
+                quartet[at % k_Lanes] = m_Images.Point(image, point);
                 m_Points[at / k_Lanes] = quartet;
             }
         }
@@ -118,9 +116,8 @@ namespace Alate.Wake
             float3 sum = own = default;
             for (int image = 0; image < m_Images.Count; image++)
             {
-                int at = image * m_Stride + Starts[wing] + ring, lane = at % k_Lanes;
-                SoaFloat3 quartet = m_Influences[source * quartets + at / k_Lanes];
-                float3 velocity = m_Images.Direction(image, new float3(quartet.x[lane], quartet.y[lane], quartet.z[lane]));
+                int at = image * m_Stride + m_Starts[wing] + ring;
+                float3 velocity = m_Images.Direction(image, m_Influences[source * quartets + at / k_Lanes][at % k_Lanes]);
                 sum += velocity;
                 if (image == 0 && source >= m_First[wing] && source < m_First[wing + 1])
                     own = velocity;
@@ -134,16 +131,10 @@ namespace Alate.Wake
             float3 a = lattice.Rings[lattice.Corner(i, j)], b = lattice.Rings[lattice.Corner(i, j + 1)],
                 c = lattice.Rings[lattice.Corner(i + 1, j + 1)], d = lattice.Rings[lattice.Corner(i + 1, j)];
             m_Vertices[at] = new VortexVertex { position = a };
-            m_Vertices[at + 1] = Segment(a, b, leading ? 1f : 0f, core);
-            m_Vertices[at + 2] = Segment(b, c, 1f, core);
-            m_Vertices[at + 3] = Segment(c, d, 1f, trailing);
-            m_Vertices[at + 4] = Segment(d, a, 1f, core);
-        }
-
-        private static VortexVertex Segment(float3 from, float3 to, float circulation, float coreSquare)
-        {
-            float core = coreSquare * math.lengthsq(to - from);
-            return new VortexVertex { position = to, strength = circulation / (4f * math.PI), along = to - from, core = core * core };
+            m_Vertices[at + 1] = VortexVertex.Segment(a, b, leading ? 1f : 0f, core);
+            m_Vertices[at + 2] = VortexVertex.Segment(b, c, 1f, core);
+            m_Vertices[at + 3] = VortexVertex.Segment(c, d, 1f, trailing);
+            m_Vertices[at + 4] = VortexVertex.Segment(d, a, 1f, core);
         }
 
         /// <summary>Velocities of one ring at all points; index = ring.</summary>

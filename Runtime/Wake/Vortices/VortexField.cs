@@ -35,15 +35,8 @@ namespace Alate.Wake
             m_Velocities = new NativeArray<SoaFloat3>(quartets, Allocator.Persistent);
         }
 
-        /// <summary>Number of vertices.</summary>
-        public int VertexCount => m_Count;
-
         /// <summary>Number of influences of segments on points that were computed since the start.</summary>
         public long Influences { get; private set; }
-
-        public NativeArray<VortexVertex> Vertices => m_Vertices;
-
-        public NativeArray<SoaFloat3> Points => m_Points;
 
         /// <summary>Frees the memory.</summary>
         public void Dispose()
@@ -53,8 +46,8 @@ namespace Alate.Wake
             m_Velocities.Dispose();
         }
 
-        /// <summary>Drops the vertices from an index on.</summary>
-        public void Truncate(int count) => m_Count = count;
+        /// <summary>Drops all vertices.</summary>
+        public void Clear() => m_Count = 0;
 
         /// <summary>Begins a chain of segments.</summary>
         public void Begin(float3 position) => m_Vertices[m_Count++] = new VortexVertex { position = position };
@@ -65,15 +58,8 @@ namespace Alate.Wake
         /// <param name="coreSquare">Square of the core's radius.</param>
         public void Add(float3 position, float circulation, float coreSquare)
         {
-            float3 along = position - m_Vertices[m_Count - 1].position;
-            float core = coreSquare * math.lengthsq(along);
-            m_Vertices[m_Count++] = new VortexVertex
-            {
-                position = position,
-                strength = circulation / (4f * math.PI),
-                along = along,
-                core = core * core,
-            };
+            m_Vertices[m_Count] = VortexVertex.Segment(m_Vertices[m_Count - 1].position, position, circulation, coreSquare);
+            m_Count++;
         }
 
         /// <summary>Takes points, from the first one on.</summary>
@@ -85,12 +71,9 @@ namespace Alate.Wake
         {
             for (int image = 0; image < m_Images.Count; image++)
             {
-                float3 place = m_Images.Point(image, point);
-                int at = image * m_Stride + index, lane = at % k_Lanes;
+                int at = image * m_Stride + index;
                 SoaFloat3 quartet = m_Points[at / k_Lanes];
-                quartet.x[lane] = place.x;
-                quartet.y[lane] = place.y;
-                quartet.z[lane] = place.z;
+                quartet[at % k_Lanes] = m_Images.Point(image, point);
                 m_Points[at / k_Lanes] = quartet;
             }
         }
@@ -111,9 +94,8 @@ namespace Alate.Wake
             float3 sum = default;
             for (int image = 0; image < m_Images.Count; image++)
             {
-                int at = image * m_Stride + index, lane = at % k_Lanes;
-                SoaFloat3 quartet = m_Velocities[at / k_Lanes];
-                sum += m_Images.Direction(image, new float3(quartet.x[lane], quartet.y[lane], quartet.z[lane]));
+                int at = image * m_Stride + index;
+                sum += m_Images.Direction(image, m_Velocities[at / k_Lanes][at % k_Lanes]);
             }
 
             return sum;

@@ -21,5 +21,17 @@ namespace Alate.Wake
 
         /// <summary>rc⁴ |r0|⁴ of the segment.</summary>
         public float core;
+
+        /// <summary>A segment from one place to another.</summary>
+        /// <param name="from">Its start, which is the vertex before.</param>
+        /// <param name="to">Its end.</param>
+        /// <param name="circulation">Γ, squared reference lengths a beat.</param>
+        /// <param name="coreSquare">Square of the core's radius.</param>
+        public static VortexVertex Segment(float3 from, float3 to, float circulation, float coreSquare)
+        {
+            float3 along = to - from;
+            float core = coreSquare * math.lengthsq(along);
+            return new VortexVertex { position = to, strength = circulation / (4f * math.PI), along = along, core = core * core };
+        }
     }
 }
