@@ -96,6 +96,8 @@ namespace Alate.Tests.Cli
             using var wake = new WakeFlight(run.Record, new WakePlan { Chords = chords, Density = 1.225 });
             List<WakeMoment> beat = wake.Run(_ => { });
             Assert.That(beat.Average(at => at.Force.y) / flight.Weight, Is.EqualTo(1.0).Within(0.12));
+            // Near that of the model without a wake, in the same units.
+            Assert.That(beat.Average(at => at.Power) / flight.Mass, Is.EqualTo(run.Power.Average()).Within(20).Percent);
             Assert.That(wake.Wake.Failures, Is.Zero);
         }
 
