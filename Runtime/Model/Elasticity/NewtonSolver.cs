@@ -12,8 +12,17 @@ namespace Alate
         /// <summary>Limits of the solver's work.</summary>
         public struct Limits
         {
-            /// <summary>Largest number of Newton iterations.</summary>
+            /// <summary>Largest number of Newton iterations of a wing that is near the minimum.</summary>
             public int newton;
+
+            /// <summary>Number of further iterations of a wing that is far from it even then.</summary>
+            public int rescue;
+
+            /// <summary>
+            /// Movement of a joint in an iteration, wing lengths, from which on a wing is far from the minimum: stopped there, a cell of the
+            /// lattice may stay inside out for a substep.
+            /// </summary>
+            public float far;
 
             /// <summary>
             /// Movement of a joint in an iteration, wing lengths, below which the solver is done. The remaining error is at most some
@@ -21,8 +30,11 @@ namespace Alate
             /// </summary>
             public float tolerance;
 
-            /// <summary>Limits of a substep: four iterations, the minimum to 1e-4 L.</summary>
-            public static Limits Default => new Limits { newton = 4, tolerance = 7e-4f };
+            /// <summary>
+            /// Limits of a substep: four iterations, the minimum to 1e-4 L; a wing that still moves by a hundredth of its length, which
+            /// happens in gales, goes on to twelve.
+            /// </summary>
+            public static Limits Default => new Limits { newton = 4, rescue = 8, far = 1e-2f, tolerance = 7e-4f };
         }
 
         /// <summary>Share of the predicted decrease that a step must bring (Armijo).</summary>
@@ -44,7 +56,7 @@ namespace Alate
             // factorised twice.
             bool4 convex = pack.options.timeScheme == TimeScheme.SecondOrder;
             float4 value = SpringEnergy.Linearise(pack, scratch, scratch.positions, convex);
-            for (int k = 0; k < limits.newton; k++)
+            for (int k = 0; k < limits.newton + limits.rescue && math.any(active); k++)
             {
                 bool4 negative = BlockCholesky.Factorise(pack, scratch) & active;
                 if (math.any(negative))
@@ -55,7 +67,8 @@ namespace Alate
 
                 BlockCholesky.Solve(pack, scratch);
                 iterations += math.select(0f, 1f, active);
-                bool4 moved = active & (LargestMove(pack, scratch) >= limits.tolerance * limits.tolerance);
+                float4 move = LargestMove(pack, scratch);
+                bool4 moved = active & (move >= limits.tolerance * limits.tolerance);
                 if (!math.any(moved))
                 {
                     Finish(pack, scratch, active);
@@ -64,7 +77,7 @@ namespace Alate
 
                 value = LineSearch(pack, scratch, value, active, moved);
                 convex = false;
-                active = moved;
+                active = k + 1 < limits.newton ? moved : moved & (move >= limits.far * limits.far);
             }
 
             return iterations;
