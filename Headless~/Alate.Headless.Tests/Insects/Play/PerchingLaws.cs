@@ -8,62 +8,33 @@ using UnityEngine.TestTools;
 namespace Alate.Tests.Play
 {
     /// <summary>Ways down to a spot, stays on it and pushes off it, step by step, by their closed forms. Metres of an insect.</summary>
-    public sealed class PerchingLaws : FlightFixture
+    public sealed class PerchingLaws : PerchingFixture
     {
-        private const float k_Step = 0.005f, k_Clearance = 0.06f;
-
-        private static readonly float3 s_Legs = new float3(0f, -0.006f, 0.002f), s_Spot = new float3(1f, 2f, 3f);
-
-        private FlightModel m_Model;
-        private TrimTable m_Table;
-        private LiveInsect m_Live;
-        private WingWorld m_World;
-        private HeldWings m_Wings;
-
-        [UnitySetUp]
-        public IEnumerator HoldAMonarch()
-        {
-            InsectDefinition species = InsectCatalogue.Find("monarch");
-            m_Model = CatalogueFlight.CreateModel(species);
-            m_Table = CatalogueFlight.CreateTable(species, m_Model);
-            InsectFlight flight = Hatch();
-            yield return Frames(3);
-            m_Live = flight.GetComponent<InsectWings>().Live;
-            m_World = WingSystem.Loop.World;
-            m_World.Complete();
-            m_Wings = new HeldWings(m_World, new BodyHandle(0, 1), m_Live, m_Model, m_Table);
-        }
-
-        [TearDown]
-        public void GiveBack()
-        {
-            m_Table.Dispose();
-            m_Model.Dispose();
-        }
+        private const float k_Clearance = 0.06f;
 
         // Up to where a downstroke clears the surface while the beat under way ends, then down by a smooth step; on along the surface by
         // one over all the time, with the motion that it brings along; turned within seven tenths of it.
         [UnityTest]
         public IEnumerator TheWayDown_IsASmoothStep_OnceTheWingsAreRaised(
-            [Values(0.02f, 0.055f, 0.2f, 1f)] float height, [Values(0f, 0.3f, 2f)] float speed, [Values(1f, 10f)] float units)
+            [Values(0.02f, 0.055f, 0.2f, 1f)] float height, [Values(0f, 0.3f, 2f, -0.6f)] float speed, [Values(1f, 10f)] float units)
         {
             float3 normal = math.normalize(new float3(0.3f, 1f, -0.2f));
-            var spot = new PerchSpot { position = s_Spot, normal = normal, heading = 0.7f };
-            float3 away = math.cross(normal, new float3(0f, 0f, 1f)), from = s_Spot + units * (height * normal + 0.1f * away);
+            var spot = new PerchSpot { position = Spot, normal = normal, heading = 0.7f };
+            float3 away = math.cross(normal, new float3(0f, 0f, 1f)), from = Spot + units * (height * normal + 0.1f * away);
             quaternion turned = math.mul(quaternion.RotateY(2f), quaternion.RotateX(0.5f));
             float3 velocity = speed * math.normalize(new float3(-0.4f, -1f, 0.5f));
             FlyingBody body = default;
             body.rotation = turned;
             body.velocity = velocity;
-            float3 legs = units * s_Legs, centre = from - math.rotate(turned, legs);
-            var perching = new Perching(ref body, spot, centre, legs, k_Clearance, m_Wings.Frequency, units);
+            float3 legs = units * Legs, centre = from - math.rotate(turned, legs);
+            var perching = new Perching(ref body, spot, centre, legs, k_Clearance, Wings.Frequency, units);
             AssertHeld(body);
             Assert.That((perching.Holds, perching.IsSeated), Is.EqualTo((true, false)));
 
             float rise = math.max(k_Clearance - height, 0f);
-            float raising = math.min(math.max(1f / m_Wings.Frequency, 1.5f * rise / 0.25f), 0.3f);
+            float raising = math.min(math.max(1f / Wings.Frequency, 1.5f * rise / 0.25f), 0.3f);
             float3 brought = velocity - math.min(math.dot(velocity, normal), 0f) * normal;
-            float way = math.distance(from + units * rise * normal, s_Spot) / units;
+            float way = math.distance(from + units * rise * normal, Spot) / units;
             quaternion seat = Facing(0.7f, normal);
             float time = raising + math.clamp(1.5f * way / math.max(0.25f, math.length(brought)), 0.2f, 1.5f)
                 + 2f * math.acos(math.min(math.abs(math.dot(turned, seat)), 1f)) / 6f;
@@ -71,13 +42,13 @@ namespace Alate.Tests.Play
             int steps = 0;
             while (!perching.IsSeated)
             {
-                perching.Sit(ref body, m_Wings, k_Step);
-                float now = ++steps * k_Step, share = math.saturate(now / time);
+                perching.Sit(ref body, Wings, StepLength);
+                float now = ++steps * StepLength, share = math.saturate(now / time);
                 float top = math.max(height, k_Clearance);
                 float over = now < raising
                     ? math.lerp(height, top, math.smoothstep(0f, 1f, now / raising))
                     : top * (1f - math.smoothstep(0f, 1f, (now - raising) / (time - raising)));
-                float3 feet = s_Spot + units * (over * normal + 0.1f * (1f - math.smoothstep(0f, 1f, share)) * away
+                float3 feet = Spot + units * (over * normal + 0.1f * (1f - math.smoothstep(0f, 1f, share)) * away
                     + brought * time * share * (1f - share) * (1f - share));
                 Assert.That(math.distance(perching.Centre(body.rotation, legs) + math.rotate(body.rotation, legs), feet),
                     Is.LessThan(2e-5f * units), $"{now} s of {time}");
@@ -86,8 +57,8 @@ namespace Alate.Tests.Play
                 Assert.That(steps, Is.LessThan(1000));
             }
 
-            Assert.That(steps * k_Step, Is.InRange(time - 1e-4f, time + k_Step + 1e-4f));
-            Assert.That(m_World.Drive(m_Live.wings[0].handle).amplitude, Is.Zero, "the wings come to rest");
+            Assert.That(steps * StepLength, Is.InRange(time - 1e-4f, time + StepLength + 1e-4f));
+            Assert.That(World.Drive(Live.wings[0].handle).amplitude, Is.Zero, "the wings come to rest");
             yield break;
         }
 
@@ -100,54 +71,54 @@ namespace Alate.Tests.Play
         {
             var normal = new float3(math.sin(slope), math.cos(slope), 0f);
             Perching perching = Seated(normal, 0f, clearance, units, out FlyingBody sitting);
-            ref FlyingBody body = ref m_World.Body(new BodyHandle(0, 1));
+            ref FlyingBody body = ref World.Body(new BodyHandle(0, 1));
             body.rotation = sitting.rotation;
-            float frequency = m_Wings.Frequency, time = 0f;
-            float3 up = math.normalize(normal + new float3(0f, 1f, 0f)), feet = s_Spot;
+            float frequency = Wings.Frequency, time = 0f;
+            float3 up = math.normalize(normal + new float3(0f, 1f, 0f)), feet = Spot;
             int steps = 0;
             while (perching.IsSeated)
             {
                 quaternion before = body.rotation;
-                perching.Start(ref body, m_Wings, heading, k_Step);
-                time = ++steps * k_Step;
+                perching.Start(ref body, Wings, heading, StepLength);
+                time = ++steps * StepLength;
                 if (!perching.IsSeated)
                     break;
                 Assert.That(math.distance(Feet(perching, body, units), feet), Is.LessThan(1e-5f * units), "it stands");
                 float turn = 2f * math.acos(math.min(math.abs(math.dot(before, body.rotation)), 1f));
-                Assert.That(turn, Is.LessThan(6f * k_Step + 2e-3f));
+                Assert.That(turn, Is.LessThan(6f * StepLength + 2e-3f));
                 Assert.That(math.distance(math.rotate(body.rotation, new float3(0f, 1f, 0f)), normal), Is.LessThan(1e-4f), "on its feet");
                 AssertHeld(body);
-                WingDrive drive = m_World.Drive(m_Live.wings[0].handle), hover = m_Table.DriveNear(0f, 0f);
+                WingDrive drive = World.Drive(Live.wings[0].handle), hover = Table.DriveNear(0f, 0f);
                 Assert.That((drive.frequency, drive.amplitude), Is.EqualTo((hover.frequency, 0.5f * hover.amplitude)));
-                WingParameters parameters = m_Model.Wings[0].Parameters;
+                WingParameters parameters = Model.Wings[0].Parameters;
                 Assert.That(drive.meanFlap,
                     Is.EqualTo(0.5f * hover.amplitude * parameters.amplitude.x * parameters.amplitudeScale).Within(1e-6f));
             }
 
-            Assert.That(time, Is.InRange(3f / frequency, 3f / frequency + k_Step + 1e-4f), "three beats");
+            Assert.That(time, Is.InRange(3f / frequency, 3f / frequency + StepLength + 1e-4f), "three beats");
             if (math.isfinite(heading))
                 Assert.That(Headings.Wrap(body.reference.heading - Headings.Of(Facing(heading, normal))), Is.Zero.Within(1e-3f));
             float way = 1.45f * clearance / math.dot(up, normal);
             float pushing = math.max(math.max(2f * way / 0.8f, 0.12f), 2f / frequency), first = 2f * way / pushing - 0.2f;
-            float pushed = math.min(time - 3f / frequency, k_Step);
+            float pushed = math.min(time - 3f / frequency, StepLength);
             bool beatsWhole = false;
             while (perching.Holds)
             {
                 float at = math.min(pushed, pushing);
-                float3 place = s_Spot
+                float3 place = Spot
                     + units * (first * at + 0.5f * (0.2f - first) * at * at / pushing + 0.2f * math.max(pushed - pushing, 0f)) * up;
                 Assert.That(math.distance(Feet(perching, body, units), place), Is.LessThan(2e-5f * units), $"{pushed} s of {pushing}");
                 AssertHeld(body);
                 beatsWhole |= (pushing - pushed) * frequency < 0.5f;
-                WingDrive drive = m_World.Drive(m_Live.wings[0].handle);
-                Assert.That(drive.amplitude, Is.EqualTo((beatsWhole ? 1f : 0.5f) * m_Table.DriveNear(0f, 0f).amplitude));
-                perching.Start(ref body, m_Wings, heading, k_Step);
-                pushed += k_Step;
+                WingDrive drive = World.Drive(Live.wings[0].handle);
+                Assert.That(drive.amplitude, Is.EqualTo((beatsWhole ? 1f : 0.5f) * Table.DriveNear(0f, 0f).amplitude));
+                perching.Start(ref body, Wings, heading, StepLength);
+                pushed += StepLength;
                 Assert.That(pushed, Is.LessThan(3f));
             }
 
             // Wings that nobody computes do not beat: after four beats it flies on all the same.
-            Assert.That(pushed - k_Step - pushing, Is.InRange(4f / frequency, 4f / frequency + k_Step + 1e-4f));
+            Assert.That(pushed - StepLength - pushing, Is.InRange(4f / frequency, 4f / frequency + StepLength + 1e-4f));
             Assert.That(math.distance(perching.Jump, 0.2f * up), Is.LessThan(1e-6f));
             yield break;
         }
@@ -158,17 +129,17 @@ namespace Alate.Tests.Play
         {
             float3 normal = math.normalize(new float3(0.4f, 1f, 0.3f));
             Perching perching = Seated(normal, 1f, k_Clearance, 1f, out FlyingBody sitting);
-            ref FlyingBody body = ref m_World.Body(new BodyHandle(0, 1));
+            ref FlyingBody body = ref World.Body(new BodyHandle(0, 1));
             body.rotation = sitting.rotation;
             while (perching.IsSeated)
-                perching.Start(ref body, m_Wings, float.NaN, k_Step);
+                perching.Start(ref body, Wings, float.NaN, StepLength);
             float way = 1.45f * k_Clearance / math.dot(math.normalize(normal + new float3(0f, 1f, 0f)), normal);
-            float pushing = math.max(math.max(2f * way / 0.8f, 0.12f), 2f / m_Wings.Frequency), time = 0f, before = -1f;
+            float pushing = math.max(math.max(2f * way / 0.8f, 0.12f), 2f / Wings.Frequency), time = 0f, before = -1f;
             while (time < pushing)
             {
                 quaternion bob = Bob(sitting.rotation);
-                perching.Start(ref body, m_Wings, float.NaN, k_Step);
-                time += k_Step;
+                perching.Start(ref body, Wings, float.NaN, StepLength);
+                time += StepLength;
                 float gone = Angle(sitting.rotation, body.rotation), all = Angle(sitting.rotation, bob);
                 Assert.That(gone + Angle(body.rotation, bob), Is.EqualTo(all).Within(3e-3f), "on the way between the two");
                 Assert.That(gone, Is.GreaterThan(before - 1e-3f));
@@ -184,12 +155,12 @@ namespace Alate.Tests.Play
         public IEnumerator OneThatTurnsAndTurns_StandsASecond()
         {
             Perching perching = Seated(new float3(0f, 1f, 0f), 0f, k_Clearance, 1f, out FlyingBody sitting);
-            ref FlyingBody body = ref m_World.Body(new BodyHandle(0, 1));
+            ref FlyingBody body = ref World.Body(new BodyHandle(0, 1));
             body.rotation = sitting.rotation;
             int steps = 0;
             for (; perching.IsSeated; steps++)
-                perching.Start(ref body, m_Wings, Headings.Of(body.rotation) + (steps % 20 < 10 ? 1f : -1f), k_Step);
-            Assert.That(steps * k_Step, Is.EqualTo(1f).Within(1.5f * k_Step));
+                perching.Start(ref body, Wings, Headings.Of(body.rotation) + (steps % 20 < 10 ? 1f : -1f), StepLength);
+            Assert.That(steps * StepLength, Is.EqualTo(1f).Within(1.5f * StepLength));
             yield break;
         }
 
@@ -198,22 +169,22 @@ namespace Alate.Tests.Play
         public IEnumerator WhoseWingsBeat_FliesOff_WithRaisedWings()
         {
             Perching perching = Seated(new float3(0f, 1f, 0f), 0f, k_Clearance, 1f, out FlyingBody sitting);
-            ref FlyingBody body = ref m_World.Body(new BodyHandle(0, 1));
+            ref FlyingBody body = ref World.Body(new BodyHandle(0, 1));
             body.rotation = sitting.rotation;
-            float whole = m_Table.DriveNear(0f, 0f).amplitude;
+            float whole = Table.DriveNear(0f, 0f).amplitude;
             int from = -1;
             for (int step = 0; perching.Holds; step++)
             {
-                perching.Start(ref body, m_Wings, float.NaN, k_Step);
-                if (from < 0 && m_World.Drive(m_Live.wings[0].handle).amplitude == whole)
-                    from = m_Wings.Beats;
+                perching.Start(ref body, Wings, float.NaN, StepLength);
+                if (from < 0 && World.Drive(Live.wings[0].handle).amplitude == whole)
+                    from = Wings.Beats;
                 if (perching.Holds)
-                    m_World.Step(k_Step);
+                    World.Step(StepLength);
                 Assert.That(step, Is.LessThan(400));
             }
 
-            Assert.That(m_Wings.Beats, Is.EqualTo(from + 2));
-            Assert.That(m_Wings.Phase, Is.InRange(0.7f, 0.7f + 1.1f * k_Step * m_Wings.Frequency));
+            Assert.That(Wings.Beats, Is.EqualTo(from + 2));
+            Assert.That(Wings.Phase, Is.InRange(0.7f, 0.7f + 1.1f * StepLength * Wings.Frequency));
             yield break;
         }
 
@@ -227,12 +198,12 @@ namespace Alate.Tests.Play
             FlyingBody body = default, other;
             body.rotation = quaternion.AxisAngle(new float3(0f, 1f, 0f), -1f);
             body.velocity = new float3(0.2f, 0.1f, -0.3f);
-            var perching = new Perching(ref body, new PerchSpot { position = s_Spot, normal = normal, heading = 0.7f },
-                s_Spot + new float3(0.1f, 0.3f, 0.2f), s_Legs, k_Clearance, m_Wings.Frequency, 1f);
+            var perching = new Perching(ref body, new PerchSpot { position = Spot, normal = normal, heading = 0.7f },
+                Spot + new float3(0.1f, 0.3f, 0.2f), Legs, k_Clearance, Wings.Frequency, 1f);
             for (int step = 0; step < steps; step++)
-                perching.Sit(ref body, m_Wings, k_Step);
+                perching.Sit(ref body, Wings, StepLength);
             for (int step = 0; starts && step < 10; step++)
-                perching.Start(ref body, m_Wings, float.NaN, k_Step);
+                perching.Start(ref body, Wings, float.NaN, StepLength);
             Perching carried = perching;
             other = body;
             other.rotation = math.mul(turn, other.rotation);
@@ -245,13 +216,13 @@ namespace Alate.Tests.Play
                     Assert.That(Angle(other.rotation, math.mul(turn, body.rotation)), Is.LessThan(2e-3f), $"step {step}");
                 if (starts)
                 {
-                    perching.Start(ref body, m_Wings, float.NaN, k_Step);
-                    carried.Start(ref other, m_Wings, float.NaN, k_Step);
+                    perching.Start(ref body, Wings, float.NaN, StepLength);
+                    carried.Start(ref other, Wings, float.NaN, StepLength);
                 }
                 else
                 {
-                    perching.Sit(ref body, m_Wings, k_Step);
-                    carried.Sit(ref other, m_Wings, k_Step);
+                    perching.Sit(ref body, Wings, StepLength);
+                    carried.Sit(ref other, Wings, StepLength);
                 }
             }
 
@@ -264,20 +235,20 @@ namespace Alate.Tests.Play
         public IEnumerator CalledBack_ItStaysUp_OnlyWhereTheWingsBeatWholly([Values] bool whole)
         {
             Perching perching = Seated(new float3(0f, 1f, 0f), 0f, k_Clearance, 1f, out FlyingBody body);
-            for (int step = 0; whole ? !IsWhole() : perching.IsSeated || Feet(perching, body, 1f).y < s_Spot.y + 0.02f; step++)
+            for (int step = 0; whole ? !IsWhole() : perching.IsSeated || Feet(perching, body, 1f).y < Spot.y + 0.02f; step++)
             {
-                perching.Start(ref body, m_Wings, float.NaN, k_Step);
+                perching.Start(ref body, Wings, float.NaN, StepLength);
                 Assert.That(step, Is.LessThan(400));
             }
 
-            float height = Feet(perching, body, 1f).y - s_Spot.y, raising = whole ? 1f / m_Wings.Frequency : 0f;
+            float height = Feet(perching, body, 1f).y - Spot.y, raising = whole ? 1f / Wings.Frequency : 0f;
             float time = raising + math.clamp(1.5f * height / 0.25f, 0.2f, 1.5f)
                 + Angle(body.rotation, quaternion.identity) / 6f;
-            for (float now = k_Step; now < time; now += k_Step)
+            for (float now = StepLength; now < time; now += StepLength)
             {
-                perching.Sit(ref body, m_Wings, k_Step);
+                perching.Sit(ref body, Wings, StepLength);
                 float over = height * (1f - math.smoothstep(0f, 1f, (now - raising) / (time - raising)));
-                Assert.That(Feet(perching, body, 1f).y - s_Spot.y, Is.EqualTo(over).Within(2e-4f), $"{now} s of {time}");
+                Assert.That(Feet(perching, body, 1f).y - Spot.y, Is.EqualTo(over).Within(2e-4f), $"{now} s of {time}");
             }
 
             yield break;
@@ -299,62 +270,6 @@ namespace Alate.Tests.Play
             yield break;
         }
 
-        private bool IsWhole() => m_World.Drive(m_Live.wings[0].handle).amplitude == m_Table.DriveNear(0f, 0f).amplitude;
-
-        private Perching Seated(float3 normal, float heading, float clearance, float units, out FlyingBody body)
-        {
-            body = default;
-            body.rotation = quaternion.identity;
-            var spot = new PerchSpot { position = s_Spot, normal = normal, heading = heading };
-            var perching = new Perching(
-                ref body, spot, s_Spot + units * (0.1f * normal - s_Legs), units * s_Legs, clearance, m_Wings.Frequency, units);
-            for (int step = 0; step < 1000 && !perching.IsSeated; step++)
-                perching.Sit(ref body, m_Wings, k_Step);
-            Assert.That(perching.IsSeated);
-            return perching;
-        }
-
-        // The attitude in which a hovering insect is at this phase, looking where a rotation looks.
-        private quaternion Bob(quaternion like)
-        {
-            ref FlyingBody body = ref m_World.Body(new BodyHandle(0, 1));
-            FlyingBody kept = body;
-            body.reference = new BodyReference { heading = Headings.Of(like) };
-            m_World.PlaceOnBob(new BodyHandle(0, 1));
-            quaternion bob = body.rotation;
-            body = kept;
-            return bob;
-        }
-
-        private static float3 Feet(in Perching perching, in FlyingBody body, float units) =>
-            perching.Centre(body.rotation, units * s_Legs) + math.rotate(body.rotation, units * s_Legs);
-
-        private static quaternion Facing(float heading, float3 normal)
-        {
-            var ahead = new float3(math.sin(heading), 0f, math.cos(heading));
-            return quaternion.LookRotation(math.normalize(ahead - normal * math.dot(ahead, normal)), normal);
-        }
-
-        private static float Angle(quaternion a, quaternion b)
-        {
-            float3 nose = math.rotate(a, new float3(0f, 0f, 1f)), back = math.rotate(a, new float3(0f, 1f, 0f));
-            quaternion turn = math.mul(b, math.conjugate(a));
-            Assert.That(math.length(nose) * math.length(back), Is.EqualTo(1f).Within(1e-3f));
-            return 2f * math.asin(math.min(math.length(turn.value.xyz), 1f));
-        }
-
-        private static void AssertTurned(quaternion rotation, quaternion from, quaternion to, float share)
-        {
-            float all = Angle(from, to);
-            Assert.That(Angle(from, rotation), Is.EqualTo(share * all).Within(2e-3f), $"share {share} of the turn");
-            Assert.That(Angle(rotation, to), Is.EqualTo((1f - share) * all).Within(2e-3f), $"share {share} of the turn");
-        }
-
-        private static void AssertHeld(in FlyingBody body)
-        {
-            Assert.That(body.mode, Is.EqualTo(BodyMode.Resting));
-            Assert.That(math.length(body.velocity) + math.length(body.spin) + math.length(body.acceleration) + math.length(body.spinRate),
-                Is.Zero);
-        }
+        private bool IsWhole() => World.Drive(Live.wings[0].handle).amplitude == Table.DriveNear(0f, 0f).amplitude;
     }
 }
