@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.Linq;
 using Alate.Cli;
+using Alate.Drawing;
 using NUnit.Framework;
 using Unity.Mathematics;
 
@@ -63,6 +64,21 @@ public sealed class FilmLaws
             Assert.That(nose.x, Is.EqualTo(Math.Cos(0.3) * Math.Sin(yaw)).Within(1e-5));
             Assert.That(nose.z, Is.EqualTo(Math.Cos(0.3) * Math.Cos(yaw)).Within(1e-5));
         }
+    }
+
+    // Twice one moment, first seen from a side and then from another: the way back has the same pictures the other way round.
+    [Test]
+    public void ATurn_GoesRoundTheInsect_AndBackByItsNegative()
+    {
+        var there = new FilmPlan { Flight = new FlightPlan { Species = "firefly", Seconds = 0.2 }, Frames = 1, Turn = 100, Width = 160 };
+        PictureView view = there.Flight.View;
+        FilmPlan back = there with { Flight = there.Flight with { View = view with { Aside = view.Aside + 50f } }, Turn = -100 };
+        List<UnityEngine.Color32[]> one = Film.Fly(there).Draw(_ => { }), other = Film.Fly(back).Draw(_ => { });
+
+        Assert.That(one, Has.Count.EqualTo(2));
+        Assert.That(one[0], Is.Not.EqualTo(one[1]));
+        Assert.That(one[0], Is.EqualTo(other[1]));
+        Assert.That(one[1], Is.EqualTo(other[0]));
     }
 
     // Eight dots a beat over three beats before the film, or from the start of the flight, and on up to the frame.

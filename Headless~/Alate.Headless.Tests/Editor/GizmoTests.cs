@@ -23,6 +23,22 @@ public sealed class GizmoTests
     [TearDown]
     public void Clear() => Object.DestroyImmediate(m_Object);
 
+    // By their luminance, which who cannot tell red from green sees too.
+    [Test]
+    public void AxesOfAHinge_AreToldApartByTheirLightness_AndDelaysGrowDarker()
+    {
+        float[] axes = [.. new[] { GizmoColours.Hinge, GizmoColours.Up, GizmoColours.Span }.Select(Luminance)];
+        Assert.That(axes[0] - axes[1], Is.GreaterThan(0.15f));
+        Assert.That(axes[1] - axes[2], Is.GreaterThan(0.15f));
+        for (int k = 0; k < 20; k++)
+        {
+            float step = Luminance(GizmoColours.Delay(k / 20f)) - Luminance(GizmoColours.Delay((k + 1) / 20f));
+            Assert.That(step, Is.InRange(0.005f, 0.04f), $"from {k / 20f}");
+        }
+
+        static float Luminance(Color colour) => 0.2126f * colour.r + 0.7152f * colour.g + 0.0722f * colour.b;
+    }
+
     [Test]
     public void ASpawner_ShowsItsBox_TurnedAsItIs()
     {

@@ -5,6 +5,7 @@ using System.Linq;
 using Alate.Cli;
 using Alate.Proof;
 using NUnit.Framework;
+using StandIns;
 
 namespace Alate.Tests.Proof;
 
@@ -21,7 +22,9 @@ public sealed class GoldenFlightTests
     [Test]
     public void TheFile_HoldsWhatIsComputedHere_ToTheLastBit()
     {
+        int memory = NativeMemoryLedger.LiveCount;
         List<GoldenTrack> computed = GoldenScenes.Run();
+        Assert.That(NativeMemoryLedger.LiveCount, Is.EqualTo(memory), NativeMemoryLedger.Describe());
         if (Environment.GetEnvironmentVariable("ALATE_WRITE_GOLDEN") == "1")
         {
             using FileStream written = File.Create(Path);

@@ -103,6 +103,16 @@ namespace Alate.Tests.Wake
         }
 
         [Test]
+        public void BetweenTwoLobes_PlacesLieOnTheNearestRim()
+        {
+            // Lobes from the root to z = 0.5 … 1 and −0.5 … −1 at the tip.
+            float3[] rest = { default, new(1f, 0f, 1f), new(1f, 0f, 0.5f), new(1f, 0f, -0.5f), new(1f, 0f, -1f) };
+            var grid = new SurfaceGrid(rest, new[] { 0, 1, 2, 0, 3, 4 }, 9, 7);
+            foreach (float3 place in grid.Evaluate(rest))
+                Assert.That(math.abs(place.z), Is.InRange(0.5f * place.x - 1e-5f, place.x + 1e-5f), $"{place}");
+        }
+
+        [Test]
         public void AMeshWithoutASpan_HasNoGrid()
         {
             float3[] upright = { new(1f, 0f, 0f), new(1f, 1f, 0f), new(1f, 0f, 1f) };

@@ -3,6 +3,7 @@ using System.Linq;
 using Alate.Wake;
 using MathNet.Numerics.LinearAlgebra;
 using NUnit.Framework;
+using StandIns;
 using Unity.Mathematics;
 using Random = Unity.Mathematics.Random;
 
@@ -42,6 +43,20 @@ namespace Alate.Tests.Wake
                 Assert.That(largest, Is.LessThan(20f));
                 Assert.That(math.all(math.isfinite(wake.Loads(0).Force)), Is.True);
             }
+        }
+
+        [Test]
+        public void AWake_GivesBackAllMemory([Values] WakeMethod method)
+        {
+            int memory = NativeMemoryLedger.LiveCount;
+            var settings = new WakeSettings(method) { Symmetric = true, GroundHeight = 3f, Stream = new float3(0f, 0f, -1f) };
+            using (var wake = new FreeWake(settings, new[] { new WakeWing(new Clapping { Gap = 0.1f }) }))
+            {
+                for (int k = 0; k < 3; k++)
+                    wake.Step();
+            }
+
+            Assert.That(NativeMemoryLedger.LiveCount, Is.EqualTo(memory), NativeMemoryLedger.Describe());
         }
 
         [Test]

@@ -129,7 +129,7 @@ namespace Alate.Editor.Tests
             InsectWings insect = Shown();
             PosedInsect posed = Pose(insect);
             Mesh mesh = MeshOf(insect.Wings[0]);
-            At(posed, insect, 0.2f);
+            Vector3[] shown = At(posed, insect, 0.2f);
             insect.Wings[0].Renderer.GetComponent<MeshFilter>().sharedMesh = null;
             posed.Refresh();
             Assert.That(posed.Meshes, Is.Empty);
@@ -140,6 +140,8 @@ namespace Alate.Editor.Tests
             insect.enabled = false;
             posed.Refresh();
             Assert.That(posed.Meshes, Is.Empty);
+            insect.enabled = true;
+            Assert.That(At(posed, insect, 0.2f), Is.EqualTo(shown), "the same pose, of a mesh that is new");
         }
 
         [Test]

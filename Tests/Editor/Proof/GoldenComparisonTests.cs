@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using System.IO;
 using System.Linq;
@@ -36,6 +37,20 @@ namespace Alate.Editor.Tests
             Assert.That(lines.Select(line => (int)line.state), Is.EqualTo(new[] { 1, state, 1 }));
             Assert.That(lines[1].note, Does.StartWith("worst: middle, 75 % of the time"));
             Assert.That(lines[1].note.EndsWith("; 1 of 3 beyond"), Is.EqualTo(state == 2));
+        }
+
+        [TestCase(0)]
+        [TestCase(1)]
+        [TestCase(2)]
+        public void TheLastBitOfEachNumber_Counts(int axis)
+        {
+            List<GoldenTrack> computed = Tracks();
+            ref float number = ref computed[1].Values[3 * (2 * s_Things.Length + 1) + axis];
+            number = BitConverter.Int32BitsToSingle(BitConverter.SingleToInt32Bits(number) ^ 1);
+            List<ProofLine> lines = GoldenComparison.Lines(Tracks(), computed);
+
+            Assert.That(lines.Select(line => line.measured == "equal to the last bit"), Is.EqualTo(new[] { true, false, true }));
+            Assert.That((int)lines[1].state, Is.EqualTo(1));
         }
 
         [Test]

@@ -130,6 +130,13 @@ namespace Alate.Tests
                 }
 
                 Rect[] shelves = UvShelves.Lay(extents);
+                foreach (float unit in new[] { 0.01f, 1000f })
+                {
+                    Rect[] others = UvShelves.Lay(extents.ConvertAll(extent => unit * extent));
+                    for (int part = 0; part < others.Length; part++)
+                        Assert.That(others[part].height, Is.EqualTo(shelves[part].height).Within(1e-5), $"in units of 1/{unit}");
+                }
+
                 float scale = shelves[0].height / extents[0].y;
                 for (int one = 0; one < shelves.Length; one++)
                 {

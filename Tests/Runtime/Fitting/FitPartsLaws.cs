@@ -191,6 +191,9 @@ namespace Alate.Tests
             var end = new NarrowEnd(outline, Polygon.Centroid(corners));
 
             Assert.That(end.Confidence, Is.EqualTo(confidence).Within(0.004));
+            PlanPoint[] large = Array.ConvertAll(corners, corner => corner * 50.0);
+            Assert.That(new NarrowEnd(new ClosedCurve(large, 2000), Polygon.Centroid(large)).Confidence,
+                Is.EqualTo(end.Confidence).Within(1e-6), "of any size");
             if (near != far)
                 Assert.That(outline.At(end.Place).x, Is.EqualTo(near < far ? 1.0 : 9.0).Within(0.02));
         }

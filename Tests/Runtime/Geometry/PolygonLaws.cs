@@ -86,6 +86,9 @@ namespace Alate.Tests
             PlanPoint[] pentagram = Array.ConvertAll(
                 new[] { 0, 2, 4, 1, 3 }, k => new PlanPoint(Math.Cos(0.4 * Math.PI * k), Math.Sin(0.4 * Math.PI * k)));
             Assert.That(Polygon.IsSimple(pentagram), Is.False, "counterclockwise, but crossed");
+            PlanPoint[] knot = { new PlanPoint(0, 0), new PlanPoint(4, 0), new PlanPoint(1, 1), new PlanPoint(3, -0.4) };
+            Assert.That(Polygon.Area(knot) > 0.0 && !Polygon.IsSimple(knot), Is.True, "its first side and its third cross");
+            Assert.That(Polygon.IsSimple(new[] { s_Square[0], s_Square[1], s_Square[2] }), Is.True, "a triangle");
             foreach (uint seed in Seeds.First(20))
             {
                 var random = new Random(seed);

@@ -125,6 +125,14 @@ namespace Alate.Tests
             T[] Ordered<T>(T[] all) => all.Length == 0 ? all : Array.ConvertAll(order, vertex => all[vertex]);
         }
 
+        [Test]
+        public void AMeshWithoutNormals_HasNoneInItsCopies([Values] bool packed)
+        {
+            Mesh source = Keep(new Mesh { vertices = new[] { Vector3.zero, Vector3.right, Vector3.forward }, triangles = new[] { 0, 1, 2 } });
+            Mesh made = Keep(DeformableMesh.Build(source, new[] { 2, 0, 1 }, packed, moves: false));
+            Assert.That(made.normals, Is.All.EqualTo(Vector3.zero));
+        }
+
         [TestCase(65535, IndexFormat.UInt16)]
         [TestCase(65536, IndexFormat.UInt32)]
         public void AMeshOfMoreVerticesThanSixteenBitsCount_HasLongIndices(int count, IndexFormat format)

@@ -93,8 +93,8 @@ namespace Alate.Tests.Sound
             Assert.That(read.Take(4), Is.EqualTo(new[] { unit, 2f * unit, 6f * unit, 0f }).Within(1e-3f));
         }
 
-        [TestCase(1.95e-4f, false)]
-        [TestCase(2.05e-4f, true)]
+        [TestCase(1.99e-4f, false)]
+        [TestCase(2.01e-4f, true)]
         public void AForceIsSteady_WhereItsChangeIsBelowTheRoundingOfItsSquare(float share, bool isHeard)
         {
             // Half of the change's square is its mean square, half of which is one overtone's: a quarter is compared with 1e-8.

@@ -140,6 +140,8 @@ namespace Alate.Tests.PlaySessions
                     yield return new EnterPlayMode(false);
                     Assert.That(GeneratedAssets.InUse, Is.Empty);
                     Assert.That(Flock.Pilots, Is.Empty);
+                    Assert.That(WingSystem.DetailCameras, Is.Empty);
+                    WingSystem.DetailCameras.Add(null);
                     BuiltPlayer.IsRunning = true;
                     LogAssert.Expect(LogType.Warning, new Regex("'hind wing'.*_ALPHABLEND_ON of Standard"));
                     var look = new SurfaceLook(null, true, true);
@@ -161,6 +163,7 @@ namespace Alate.Tests.PlaySessions
                 BuiltPlayer.IsRunning = false;
                 ProjectShaders.Clear();
                 GeneratedAssets.Return("firefly");
+                WingSystem.DetailCameras.Clear();
             }
         }
 

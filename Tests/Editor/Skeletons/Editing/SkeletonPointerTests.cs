@@ -114,6 +114,21 @@ namespace Alate.Editor.Tests
         }
 
         [Test]
+        public void TheNextDrag_MovesWhatItTakes_AndNotWhatTheOneBeforeTook()
+        {
+            Press(Pixel((2, 2)));
+            Move(Pixel((2, 2)) + new Vector2(10f, 0f));
+            m_Pointer.Release();
+            Vector3 moved = Skeleton.GetJoint(2, 2), tip = Skeleton.GetJoint(0, 4);
+            Press(Pixel((0, 4)));
+            Move(Pixel((0, 4)) + new Vector2(0f, 20f));
+            m_Pointer.Release();
+
+            Assert.That(Skeleton.GetJoint(2, 2), Is.EqualTo(moved));
+            Assert.That(Vector3.Distance(Skeleton.GetJoint(0, 4) - tip, new Vector3(0f, 0f, 0.02f)), Is.LessThan(1e-5f));
+        }
+
+        [Test]
         public void Escape_TakesTheDragBack()
         {
             string before = SkeletonText.Of(Skeleton);

@@ -1,5 +1,7 @@
 using System.Collections;
 using System.Collections.Generic;
+using System.Linq;
+using Alate.Catalogue;
 using NUnit.Framework;
 using UnityEngine;
 using UnityEngine.Rendering;
@@ -14,6 +16,30 @@ namespace Alate.Tests.Play
 
         /// <summary>Half a step of each of three signed bytes.</summary>
         private const float k_Byte = 0.5f * 1.7321f / 127f;
+
+        // A wing that is stretched by a tenth, pointing anywhere.
+        [UnityTest]
+        public IEnumerator TheBounds_HoldAllPlacesThatAWingCanReach()
+        {
+            InsectWings insect = Keep(InsectFactory.Create("swallowtail").gameObject).GetComponent<InsectWings>();
+            yield return Frames(3);
+            foreach (LiveMesh mesh in insect.Live.meshes)
+            {
+                Vector3[] rest = mesh.template.Source.vertices;
+                Mesh copy = Keep(mesh.template.CreateCopy(moves: false));
+                Bounds bounds = copy.bounds;
+                foreach (RiggedPart shape in mesh.template.Shapes)
+                {
+                    Vector3 hinge = shape.Rig.Frame.origin;
+                    float reach = 1.1f * shape.Selection.vertices.Max(vertex => Vector3.Distance(hinge, rest[vertex]));
+                    for (int axis = 0; axis < 3; axis++)
+                    {
+                        Assert.That(bounds.max[axis], Is.GreaterThanOrEqualTo(hinge[axis] + 0.9999f * reach));
+                        Assert.That(bounds.min[axis], Is.LessThanOrEqualTo(hinge[axis] - 0.9999f * reach));
+                    }
+                }
+            }
+        }
 
         [UnityTest]
         public IEnumerator InAMeshOfBodyAndWings_OnlyTheWingsMove([Values(WingPart.Submesh, WingPart.ConnectedPart)] WingPart part)
