@@ -87,7 +87,9 @@ namespace Alate.Proof
         private ProofPart PartOf(string pipeline, ProofStep step)
         {
             string result = step.ResultIn(m_Options.Out, pipeline);
-            ProofPart part = step.IsTests ? TestPart(pipeline, step, result) : ProofPart.Read(result);
+
+            // Where no editor ran, a file that is there is of an earlier proof.
+            ProofPart part = m_Editor == null ? null : step.IsTests ? TestPart(pipeline, step, result) : ProofPart.Read(result);
             if (part != null)
                 return part;
             part = new ProofPart { step = step.Name, pipeline = pipeline };

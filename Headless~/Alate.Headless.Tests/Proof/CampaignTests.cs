@@ -89,6 +89,48 @@ public sealed class CampaignTests
         Assert.That(() => System.Diagnostics.Process.GetProcessById(int.Parse(File.ReadAllText(pid))), Throws.ArgumentException);
     }
 
+    [Test]
+    public void ACampaign_TellsItsStepAndShare_OneAfterTheOther_AndItsSummaryAtTheEnd()
+    {
+        using var campaign = new ProofCampaign(Options("builtin", "exit 0"));
+        var told = new List<string>();
+        int steps = ProofStep.All.Length;
+        do
+        {
+            int at = campaign.Report.parts.Count;
+            Assert.That(campaign.Share, Is.EqualTo((float)at / steps).Within(1e-6f));
+            if (told.LastOrDefault() != campaign.Status)
+                told.Add(campaign.Status);
+            Thread.Sleep(2);
+        }
+        while (campaign.Advance());
+        Assert.That(told, Is.EqualTo(ProofStep.All.Select(step => $"builtin: {step.Name}")));
+        Assert.That(campaign.Status, Is.EqualTo(campaign.Report.Summary));
+        Assert.That((campaign.Advance(), campaign.Report.parts.Count), Is.EqualTo((false, steps)), "it is over");
+        Assert.That(campaign.Report.package, Is.EqualTo("1.2.3"));
+    }
+
+    [Test]
+    public void ResultsOfAnEarlierProof_AreNotTakenForThoseOfThisOne()
+    {
+        string folder = Path.Combine(m_Folder, "out", "builtin");
+        Directory.CreateDirectory(folder);
+        File.WriteAllText(Path.Combine(folder, "edit-tests.xml"), "<test-run total=\"3\" passed=\"3\" failed=\"0\"/>");
+        File.WriteAllText(Path.Combine(folder, "import.json"), "{\"lines\":[{\"what\":\"all samples import\",\"state\":1}]}");
+        ProofReport report = Prove("builtin", "echo 'A.cs(1,2): error CS0103: no b' >\"$5\"");
+        Assert.That(report.Count(ProofState.Held), Is.Zero);
+        Assert.That(Line(report, "import").note, Is.EqualTo("A.cs(1,2): error CS0103: no b"));
+        Assert.That(Line(report, "edit-tests").note, Is.EqualTo("the project was not imported"));
+    }
+
+    [Test]
+    public void OptionsThatCannotBe_BeginNothing()
+    {
+        ProofOptions options = Options("builtin", "exit 0");
+        options.Out = "";
+        Assert.That(() => new ProofCampaign(options), Throws.ArgumentException.With.Message.EqualTo(options.FindProblem()));
+    }
+
     private ProofReport Prove(string pipelines, string script)
     {
         using var campaign = new ProofCampaign(Options(pipelines, script));

@@ -34,6 +34,8 @@ public sealed class GoldenFlightTests
         using FileStream file = File.OpenRead(Path);
         IReadOnlyList<GoldenTrack> golden = GoldenFile.Read(file);
         Assert.That(golden.Select(track => track.Name), Is.EqualTo(computed.Select(track => track.Name)));
+        Assert.That(golden.Select(track => track.Allowed), Is.EqualTo(computed.Select(track => track.Allowed)));
+        Assert.That(golden.SelectMany(track => track.Things), Is.EqualTo(computed.SelectMany(track => track.Things)));
         Assert.That(
             GoldenComparison.Lines(golden, computed).Select(line => line.measured), Is.All.EqualTo("equal to the last bit"));
         Assert.That(file.Length, Is.LessThan(k_MostBytes));

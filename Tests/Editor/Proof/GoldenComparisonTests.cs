@@ -63,6 +63,42 @@ namespace Alate.Editor.Tests
             Assert.That(float.Parse(measured, System.Globalization.CultureInfo.InvariantCulture), Is.EqualTo(0.005f).Within(1e-5f));
         }
 
+        // The farthest is told wherever it stands among others that are off, and these are counted.
+        [TestCase(0)]
+        [TestCase(1)]
+        [TestCase(2)]
+        [TestCase(3)]
+        public void OfSeveralThatAreOff_TheFarthestIsTold_AndAllThingsBeyondAreCounted(int worst)
+        {
+            (int sample, int thing)[] off = { (0, 2), (1, 0), (2, 2), (3, 0) };
+            List<GoldenTrack> computed = Tracks();
+            for (int k = 0; k < off.Length; k++)
+                computed[0].Values[3 * (off[k].sample * s_Things.Length + off[k].thing) + 2] += k == worst ? 0.05f : 0.02f;
+            computed[0].Values[3] += 0.5f * k_Allowed;
+            ProofLine line = GoldenComparison.Lines(Tracks(), computed)[0];
+
+            Assert.That(line.note, Is.EqualTo($"worst: {s_Things[off[worst].thing]}, {25 * (off[worst].sample + 1)} % of the time; 2 of 3 beyond"));
+            Assert.That(float.Parse(line.measured, System.Globalization.CultureInfo.InvariantCulture), Is.EqualTo(0.05f).Within(1e-5f));
+            Assert.That((line.allowed, (int)line.state), Is.EqualTo(("0.01", 2)));
+        }
+
+        [Test]
+        public void WhatIsJustAllowed_IsHeld()
+        {
+            var golden = new GoldenTrack("a", new[] { "x" }, 0.25f, new float[6]);
+            var computed = new GoldenTrack("a", new[] { "x" }, 0.25f, new[] { 0f, 0f, 0f, 0f, 0.25f, 0f });
+            ProofLine line = GoldenComparison.Lines(new[] { golden }, new[] { computed })[0];
+            Assert.That((line.state, line.note), Is.EqualTo((ProofState.Held, "worst: x, 100 % of the time")));
+        }
+
+        [Test]
+        public void AFirstDifferenceInTheSignOfZero_IsPassedOver_ForOneThatHasALength()
+        {
+            var golden = new GoldenTrack("a", new[] { "x", "y" }, 0.25f, new float[6]);
+            var computed = new GoldenTrack("a", new[] { "x", "y" }, 0.25f, new[] { -0f, 0f, 0f, 0.1f, 0f, 0f });
+            Assert.That(GoldenComparison.Lines(new[] { golden }, new[] { computed })[0].note, Does.StartWith("worst: y"));
+        }
+
         [Test]
         public void ATrackThatIsMissing_OrOfAnotherLength_Differs()
         {
@@ -96,6 +132,58 @@ namespace Alate.Editor.Tests
             whole[8] = whole[9] = whole[10] = 0x7F;
             Assert.That(() => GoldenFile.Read(new MemoryStream(whole)),
                 Throws.TypeOf<InvalidDataException>().With.Message.Contains("count of"));
+        }
+
+        // Counts of tracks, things and values are read up to their limits, and not beyond.
+        [TestCase(0, 1000)]
+        [TestCase(1, 100_000)]
+        [TestCase(2, 10_000_000)]
+        public void ACount_IsWithinItsLimits(int which, int most)
+        {
+            foreach (int count in new[] { -1, most + 1, most })
+            {
+                var stream = new MemoryStream();
+                using (var writer = new BinaryWriter(stream, System.Text.Encoding.UTF8, true))
+                {
+                    writer.Write(0x44474C41);
+                    writer.Write(1);
+                    writer.Write(which == 0 ? count : 1);
+                    writer.Write("track");
+                    writer.Write(which == 1 ? count : 0);
+                    writer.Write(0f);
+                    if (which == 2)
+                        writer.Write(count);
+                }
+
+                stream.Position = 0;
+                string told = count == most
+                    ? "The file of golden flights is cut short."
+                    : $"The file of golden flights has a count of {count}; allowed are 0 to {most}.";
+                if (which == 1 && count == most)
+                    continue;
+                Assert.That(() => GoldenFile.Read(stream), Throws.TypeOf<InvalidDataException>().With.Message.EqualTo(told));
+            }
+        }
+
+        [TestCase(0)]
+        [TestCase(4)]
+        public void AnotherMark_OrVersion_IsRefused(int at)
+        {
+            byte[] bytes = Bytes();
+            bytes[at]++;
+            Assert.That(() => GoldenFile.Read(new MemoryStream(bytes)), Throws.TypeOf<InvalidDataException>().With.Message.EqualTo(
+                "The file of golden flights is not one, or of another version."));
+        }
+
+        [Test]
+        public void AStream_StaysOpen_ForWhatFollows()
+        {
+            var stream = new MemoryStream();
+            GoldenFile.Write(stream, Tracks());
+            GoldenFile.Write(stream, Tracks());
+            stream.Position = 0;
+            Assert.That(GoldenFile.Read(stream).Count, Is.EqualTo(3));
+            Assert.That(GoldenFile.Read(stream).Count, Is.EqualTo(3));
         }
 
         private static byte[] Bytes()

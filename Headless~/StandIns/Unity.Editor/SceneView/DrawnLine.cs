@@ -8,7 +8,7 @@ namespace UnityEditor;
 internal static class DrawnLine
 {
     /// <summary>Points must be finite, and as many as are asked for.</summary>
-    public static void Check(Vector3[] points, int count)
+    public static void Check(Vector3[] points, int count, float? width = null)
     {
         foreach (Vector3 point in points.AsSpan(0, count))
         {
@@ -17,5 +17,7 @@ internal static class DrawnLine
         }
 
         DrawnLines.Calls?.Add((Handles.color, points[..count]));
+        if (width.HasValue)
+            DrawnLines.Widths?.Add(width.Value);
     }
 }

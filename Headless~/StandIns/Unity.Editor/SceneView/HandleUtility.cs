@@ -7,7 +7,7 @@ public sealed class HandleUtility
 {
     public static int nearestControl { get; set; }
 
-    public static float GetHandleSize(Vector3 position) => 1f;
+    public static float GetHandleSize(Vector3 position) => SceneEye.HandleSize?.Invoke(position) ?? 1f;
     public static float DistanceToLine(Vector3 p1, Vector3 p2) => throw Absent.Editor;
     public static float DistanceToCircle(Vector3 position, float radius) => throw Absent.Editor;
     public static float DistanceToPolyLine(params Vector3[] points) => throw Absent.Editor;

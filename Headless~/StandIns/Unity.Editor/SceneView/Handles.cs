@@ -23,10 +23,10 @@ public sealed partial class Handles
     public static void DrawLines(Vector3[] points, int[] segmentIndices) => throw Absent.Editor;
     public static void DrawDottedLine(Vector3 p1, Vector3 p2, float screenSpaceSize) => throw Absent.Editor;
     public static void DrawAAPolyLine(float width, int actualNumberOfPoints, params Vector3[] points) =>
-        DrawnLine.Check(points, actualNumberOfPoints);
+        DrawnLine.Check(points, actualNumberOfPoints, width);
     public static void DrawAAPolyLine(float width, Color[] colors, Vector3[] points) => throw Absent.Editor;
     public static void DrawAAPolyLine(float width, params Vector3[] points) =>
-        DrawnLine.Check(points, points.Length);
+        DrawnLine.Check(points, points.Length, width);
     public static void DrawAAPolyLine(Color[] colors, Vector3[] points) => throw Absent.Editor;
     public static void DrawAAPolyLine(Texture2D lineTex, float width, params Vector3[] points) => throw Absent.Editor;
     public static void DrawAAPolyLine(Texture2D lineTex, params Vector3[] points) => throw Absent.Editor;
@@ -35,7 +35,7 @@ public sealed partial class Handles
     public static void DrawPolyLine(params Vector3[] points) => throw Absent.Editor;
     public static void DrawWireDisc(Vector3 center, Vector3 normal, float radius) => throw Absent.Editor;
     public static void DrawWireDisc(Vector3 center, Vector3 normal, float radius, float thickness) =>
-        DrawnLine.Check([center, normal * radius], 2);
+        DrawnLine.Check([center, normal * radius], 2, thickness);
     public static void DrawSolidDisc(Vector3 center, Vector3 normal, float radius) => DrawnLine.Check([center, normal * radius], 2);
     public static void DrawWireArc(Vector3 center, Vector3 normal, Vector3 from, float angle, float radius) => throw Absent.Editor;
     public static void DrawWireArc(
@@ -56,7 +56,12 @@ public sealed partial class Handles
         Texture2D texture,
         float width) => throw Absent.Editor;
     public static void Label(Vector3 position, string text) => throw Absent.Editor;
-    public static void Label(Vector3 position, string text, GUIStyle style) => DrawnLine.Check([position], 1);
+    public static void Label(Vector3 position, string text, GUIStyle style)
+    {
+        DrawnLine.Check([position], 1);
+        StandIns.DrawnLines.Labels?.Add((text, position));
+    }
+
     public static void Label(Vector3 position, GUIContent content) => throw Absent.Editor;
     public static void Label(Vector3 position, GUIContent content, GUIStyle style) => throw Absent.Editor;
     public static void SphereHandleCap(
@@ -144,8 +149,11 @@ public sealed partial class Handles
     {
     }
 
-    public static void DrawSolidRectangleWithOutline(Rect rectangle, Color faceColor, Color outlineColor) =>
+    public static void DrawSolidRectangleWithOutline(Rect rectangle, Color faceColor, Color outlineColor)
+    {
         DrawnLine.Check([rectangle.min, rectangle.max], 2);
+        StandIns.DrawnLines.Rectangles?.Add((rectangle, faceColor, outlineColor));
+    }
 
     public static void SetCamera(Camera camera) => throw Absent.Editor;
     public static bool ShouldRenderGizmos() => throw Absent.Editor;

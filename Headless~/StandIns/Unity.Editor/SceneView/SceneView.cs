@@ -1,5 +1,6 @@
 using System;
 using System.Collections;
+using StandIns;
 using UnityEngine;
 
 namespace UnityEditor;
@@ -8,8 +9,8 @@ public class SceneView : SearchableEditorWindow
 {
     public static event Action<SceneView> duringSceneGui
     {
-        add { }
-        remove { }
+        add => SceneViews.Drawing += value;
+        remove => SceneViews.Drawing -= value;
     }
 
     public static event Action<SceneView> beforeSceneGui
@@ -18,7 +19,7 @@ public class SceneView : SearchableEditorWindow
         remove { }
     }
 
-    public static SceneView lastActiveSceneView { get; }
+    public static SceneView lastActiveSceneView => SceneViews.LastActive;
     public static SceneView currentDrawingSceneView { get; }
     public Camera camera { get; }
     public Vector3 pivot { get; set; }
@@ -28,11 +29,8 @@ public class SceneView : SearchableEditorWindow
     public bool drawGizmos { get; set; }
     public static ArrayList sceneViews { get; }
 
-    /// <summary>Does nothing: there is no window to draw again.</summary>
-    public static void RepaintAll()
-    {
-    }
-
+    /// <summary>Is counted: there is no window to draw again.</summary>
+    public static void RepaintAll() => SceneViews.Repaints++;
 
     public bool Frame(Bounds bounds, bool instant = true)
     {

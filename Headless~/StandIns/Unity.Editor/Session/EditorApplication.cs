@@ -15,8 +15,8 @@ public sealed class EditorApplication
 
     public static event Action<PlayModeStateChange> playModeStateChanged
     {
-        add { }
-        remove { }
+        add => RunningEditor.PlayModeChanged += value;
+        remove => RunningEditor.PlayModeChanged -= value;
     }
 
     public static event Action hierarchyChanged
@@ -38,11 +38,11 @@ public sealed class EditorApplication
     public static bool isUpdating { get; }
     public static string applicationPath => RunningEditor.Path;
     public static string applicationContentsPath => RunningEditor.Contents;
-    public static double timeSinceStartup => s_Watch.Elapsed.TotalSeconds;
+    public static double timeSinceStartup => RunningEditor.Seconds ?? s_Watch.Elapsed.TotalSeconds;
 
     public static void Exit(int returnValue) => RunningEditor.ExitCode = returnValue;
     public static void QueuePlayerLoopUpdate() => throw Absent.Editor;
-    public static bool ExecuteMenuItem(string menuItemPath) => throw Absent.Editor;
+    public static bool ExecuteMenuItem(string menuItemPath) => RunningEditor.MenuItem?.Invoke(menuItemPath) ?? throw Absent.Editor;
     public static void EnterPlaymode() => throw Absent.Editor;
     public static void ExitPlaymode() => throw Absent.Editor;
     public static void RepaintHierarchyWindow() => throw Absent.Editor;

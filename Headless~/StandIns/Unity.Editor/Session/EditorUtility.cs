@@ -18,7 +18,7 @@ public class EditorUtility
 
     public static bool DisplayDialog(string title, string message, string ok) => AnsweredDialogs.Tell($"{title}: {message} [{ok}]");
     public static bool DisplayDialog(string title, string message, string ok, string cancel) => throw Absent.Editor;
-    public static void DisplayProgressBar(string title, string info, float progress) => throw Absent.Editor;
+    public static void DisplayProgressBar(string title, string info, float progress) => ShownProgress.Show(info, progress);
     public static bool DisplayCancelableProgressBar(string title, string info, float progress) => ShownProgress.Show(info, progress);
     public static void ClearProgressBar() => ShownProgress.Clear();
     public static string SaveFilePanel(string title, string directory, string defaultName, string extension) =>
@@ -33,7 +33,8 @@ public class EditorUtility
         string path) => throw Absent.Editor;
     public static string OpenFilePanel(string title, string directory, string extension) =>
         AnsweredDialogs.Ask($"{title}: {directory}/*.{extension}");
-    public static string OpenFolderPanel(string title, string folder, string defaultName) => throw Absent.Editor;
+    public static string OpenFolderPanel(string title, string folder, string defaultName) =>
+        StandIns.AnsweredDialogs.Ask($"{title}: {folder}");
     public static string SaveFolderPanel(string title, string folder, string defaultName) => throw Absent.Editor;
     public static bool IsPersistent(Object target) => AssetDatabase.Contains(target);
     public static bool IsDirty(Object target) => s_Dirty.Contains(target);
@@ -56,5 +57,5 @@ public class EditorUtility
 
     public static void CopySerializedIfDifferent(Object source, Object dest) => throw Absent.Editor;
     public static void FocusProjectWindow() => throw Absent.Editor;
-    public static void RevealInFinder(string path) => throw Absent.Editor;
+    public static void RevealInFinder(string path) => StandIns.AnsweredDialogs.Tell(path);
 }

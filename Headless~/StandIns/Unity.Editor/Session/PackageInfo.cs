@@ -12,6 +12,7 @@ public sealed class PackageInfo
 
     public string resolvedPath { get; internal init; }
 
-    /// <summary>Null, as in Unity for an assembly that comes in no package.</summary>
-    public static PackageInfo FindForAssembly(Assembly assembly) => null;
+    /// <summary>The package that a test has installed; null otherwise, as in Unity for an assembly that comes in no package.</summary>
+    public static PackageInfo FindForAssembly(Assembly assembly) => StandIns.InstalledPackage.Folder == null ? null
+        : new PackageInfo { resolvedPath = StandIns.InstalledPackage.Folder, version = StandIns.InstalledPackage.Version };
 }

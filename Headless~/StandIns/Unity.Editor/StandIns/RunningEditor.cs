@@ -1,3 +1,6 @@
+using System;
+using UnityEditor;
+
 namespace StandIns;
 
 /// <summary>The program that this process takes for the editor, and the code with which it was asked to end.</summary>
@@ -11,4 +14,15 @@ public static class RunningEditor
 
     /// <summary>Code of <c>EditorApplication.Exit</c>; null before it is called.</summary>
     public static int? ExitCode { get; set; }
+
+    /// <summary>Time since the start, seconds; null takes that of this process.</summary>
+    public static double? Seconds { get; set; }
+
+    /// <summary>Items of menus that code chooses: false where there is none. Null where there is no menu at all.</summary>
+    public static Func<string, bool> MenuItem { get; set; }
+
+    internal static Action<PlayModeStateChange> PlayModeChanged { get; set; }
+
+    /// <summary>Tells all who listen that play begins or ends; nothing else happens.</summary>
+    public static void Tell(PlayModeStateChange change) => PlayModeChanged?.Invoke(change);
 }

@@ -18,6 +18,9 @@ public sealed class SceneEye : IDisposable
         s_Current = this;
     }
 
+    /// <summary>Size of a handle at a place; null where each is one unit large.</summary>
+    public static Func<Vector3, float> HandleSize { get; set; }
+
     internal static SceneEye Needed => s_Current ?? throw UnityEditor.Absent.Editor;
 
     internal Func<Vector3, Vector3> Project { get; }

@@ -6,7 +6,7 @@ namespace UnityEditor.EditorTools;
 public abstract class EditorTool : ScriptableObject
 {
     public Object target { get; }
-    public IEnumerable<Object> targets { get; }
+    public IEnumerable<Object> targets => StandIns.ChosenTargets.All;
     public virtual GUIContent toolbarIcon { get; }
     public virtual bool gridSnapEnabled { get; }
 

@@ -11,6 +11,7 @@ public class Graphics
     {
         if (mesh == null)
             throw new System.ArgumentNullException(nameof(mesh));
+        DrawnMeshes.Note(mesh, matrix);
     }
 
     public static void RenderMesh(

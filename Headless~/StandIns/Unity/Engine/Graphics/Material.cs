@@ -43,8 +43,8 @@ public class Material : Object, ICopyable
         set => SetColor(ShaderProperties.MainColour(shader.name), value);
     }
 
-    /// <summary>Does nothing: there is no screen to draw on.</summary>
-    public bool SetPass(int pass) => false;
+    /// <summary>Fails, as there is no screen to draw on, unless a test keeps the meshes that are drawn.</summary>
+    public bool SetPass(int pass) => Unity.StandIns.DrawnMeshes.Pass(this);
 
     public Texture mainTexture
     {
