@@ -54,6 +54,27 @@ namespace Alate.Editor.Tests
             Assert.That(below, Is.EqualTo(new JointIndex(1, 2)));
         }
 
+        // Joints within two pixels of one another lie in one place, and the nearer hides the farther.
+        [TestCase(1.9f, true)]
+        [TestCase(2.1f, false)]
+        public void OfTwoJointsThatAreSeenApart_TheNearerHidesTheOther_WithinTwoPixels(float apart, bool hides)
+        {
+            foreach ((JointIndex far, JointIndex near) in new[]
+            {
+                (new JointIndex(1, 1), new JointIndex(3, 2)), (new JointIndex(3, 2), new JointIndex(1, 1)),
+            })
+            {
+                Vector3 Project(Vector3 world) => world == Skeleton.GetJoint(far.chain, far.joint) ? new Vector3(0f, 0f, 5f)
+                    : world == Skeleton.GetJoint(near.chain, near.joint) ? new Vector3(apart, 0f, 1f)
+                    : new Vector3(0f, 0f, -1f);
+                Assert.That(JointPicking.TryNearest(Editing, Project, Vector2.zero, 12f, out JointIndex found, out float distance), Is.True);
+                Assert.That((found, distance), Is.EqualTo((hides ? near : far, hides ? apart : 0f)));
+                Assert.That(JointPicking.TryNearest(Editing, Project, new Vector2(-12f, 0f), 12f, out found, out _), Is.True);
+                Assert.That(found, Is.EqualTo(far), "at the rim of the radius");
+                Assert.That(JointPicking.TryNearest(Editing, Project, new Vector2(-12.1f, 0f), 12f, out _, out _), Is.False);
+            }
+        }
+
         [Test]
         public void JointsBehindTheEye_AreNotFound()
         {

@@ -8,6 +8,19 @@ namespace Alate.Editor.Tests
     {
         private static readonly Vector3 s_Delta = new Vector3(0.01f, 0.02f, -0.03f);
 
+        [TestCase(0.99e9f, true)]
+        [TestCase(1.01e9f, false)]
+        [TestCase(float.NaN, false)]
+        public void AJoint_GoesAsFarAsABillion_AndNoFarther(float x, bool done)
+        {
+            Select((2, 2));
+            string before = SkeletonText.Of(Skeleton);
+            EditOutcome outcome = Editing.Do("Move", (draft, selected) => MoveCommands.By(draft, selected, new Vector3(0f, x, 0f)));
+            Assert.That(outcome.Done, Is.EqualTo(done));
+            Assert.That(outcome.Message, Is.EqualTo(done ? null : "Joint 2 of chain 2 would not be at a usable position."));
+            Assert.That(SkeletonText.Of(Skeleton) == before, Is.EqualTo(!done));
+        }
+
         [Test]
         public void SelectedJoints_Move_AndNoOthers()
         {

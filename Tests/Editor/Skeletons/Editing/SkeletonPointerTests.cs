@@ -71,6 +71,35 @@ namespace Alate.Editor.Tests
             Assert.That(m_Pointer.Box, Is.Null);
         }
 
+        [TestCase(3.9f, false)]
+        [TestCase(4.1f, true)]
+        public void FromFourPixelsOn_AMovementIsADrag(float pixels, bool drags)
+        {
+            string before = SkeletonText.Of(Skeleton);
+            Vector2 from = View.FromAbove.Project(Skeleton.GetJoint(2, 2)), to = from + new Vector2(0f, pixels);
+            var pointer = new SkeletonPointer(new EditingGroup(new[] { Editing }, Undo), Undo);
+            pointer.Press(View.FromAbove.Project, from, false);
+            pointer.Move(to, View.FromAbove.Through(to), DragMode.WingPlane);
+            Assert.That((pointer.IsMoving, SkeletonText.Of(Skeleton) != before), Is.EqualTo((drags, drags)));
+            pointer.Move(from, View.FromAbove.Through(from), DragMode.WingPlane);
+            Assert.That(pointer.IsMoving, Is.EqualTo(drags), "once dragged, also where it comes back");
+            pointer.Release();
+            Assert.That(pointer.IsDown, Is.False);
+        }
+
+        [TestCase(11.9f, 1)]
+        [TestCase(12.1f, 0)]
+        public void APress_TakesAJointWithinTwelvePixels(float pixels, int selected)
+        {
+            Vector2 at = View.FromAbove.Project(Skeleton.GetJoint(0, 4));
+            Vector2 inwards = at - (Vector2)View.FromAbove.Project(Skeleton.GetJoint(2, 2));
+            var group = new EditingGroup(new[] { Editing }, Undo);
+            var pointer = new SkeletonPointer(group, Undo);
+            pointer.Press(View.FromAbove.Project, at + pixels * inwards.normalized, false);
+            pointer.Release();
+            Assert.That(group.SelectedCount, Is.EqualTo(selected));
+        }
+
         [Test]
         public void SmallMovement_IsStillAClick()
         {

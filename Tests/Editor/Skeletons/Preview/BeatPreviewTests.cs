@@ -82,6 +82,46 @@ namespace Alate.Editor.Tests
         }
 
         [Test]
+        public void APictureThatIsShown_GoesWithASkeletonThatIsInvalid_AndWithThePreview()
+        {
+            Bake();
+            m_Preview.Show(0.5f);
+            Do("Reverse Chains");
+            Bake();
+            Assert.That((m_Preview.IsReady, m_Preview.Mesh == null), Is.EqualTo((false, true)));
+            Assert.That(() => m_Preview.Show(0.5f), Throws.Nothing);
+
+            Undo.Undo();
+            Bake();
+            Mesh shown = m_Preview.Mesh;
+            m_Preview.Dispose();
+            Assert.That((m_Preview.IsReady, m_Preview.Mesh == null, shown == null), Is.EqualTo((false, true, true)));
+            Assert.That(() => m_Preview.Dispose(), Throws.Nothing);
+            Bake();
+            m_Preview.Show(0.5f);
+            Assert.That(TipHeight(), Is.LessThan(-0.1f));
+        }
+
+        [Test]
+        public void APicture_HasTheTrianglesOfTheWing_UnitNormals_AndBoundsThatHoldIt()
+        {
+            Bake();
+            m_Preview.Show(0.25f);
+            Mesh mesh = m_Preview.Mesh;
+            Assert.That(mesh.triangles, Is.EqualTo(Surface().triangles));
+            Assert.That(mesh.vertexCount, Is.EqualTo(Surface().positions.Length));
+            Assert.That(mesh.normals, Is.All.Matches<Vector3>(normal => Mathf.Abs(normal.magnitude - 1f) < 1e-2f));
+            Bounds bounds = mesh.bounds;
+            bounds.Expand(1e-4f);
+            Assert.That(mesh.vertices, Is.All.Matches<Vector3>(place => bounds.Contains(place)));
+            var tight = new Bounds(mesh.vertices[0], Vector3.zero);
+            foreach (Vector3 place in mesh.vertices)
+                tight.Encapsulate(place);
+            Assert.That(bounds.size.magnitude, Is.LessThan(1.3f * tight.size.magnitude));
+            Assert.That((mesh.hideFlags, mesh.indexFormat), Is.EqualTo((HideFlags.HideAndDontSave, UnityEngine.Rendering.IndexFormat.UInt16)));
+        }
+
+        [Test]
         public void Flight_IsLevel_AtACruisingShareOfThePresetsSpeed()
         {
             var monarch = new PresetValues(null);

@@ -199,6 +199,43 @@ namespace Alate.Editor.Tests
         }
 
         [Test]
+        public void ADragUnderWay_IsTakenBackWhenTheSessionEnds()
+        {
+            var eye = new View(new Vector3(3f, 9f, -2f), Quaternion.LookRotation(Vector3.down, Vector3.forward));
+            string before = SkeletonText.Of(Right.Skeleton);
+            Vector2 from = eye.Project(Right.Renderer.transform.TransformPoint(Right.Skeleton.GetJoint(2, 2)));
+            Vector2 to = from + new Vector2(60f, 20f);
+            m_Session.Pointer.Press(eye.Project, from, false);
+            m_Session.Pointer.Move(to, eye.Through(to), DragMode.WingPlane);
+            Assert.That(SkeletonText.Of(Right.Skeleton), Is.Not.EqualTo(before));
+
+            m_Session.Dispose();
+
+            Assert.That(SkeletonText.Of(Right.Skeleton), Is.EqualTo(before));
+            Assert.That(m_Session.Pointer.IsDown, Is.False);
+        }
+
+        [Test]
+        public void AFrame_LeavesATwentiethOfTheLargestWing_OnEachSide()
+        {
+            m_Session.Select(m_Session.Group.Active, new[] { new JointIndex(0, 4), new JointIndex(0, 0) });
+            Vector3 tip = World(Right, 0, 4), root = World(Right, 0, 0);
+            float size = new[] { Right, Left }.Max(wing =>
+            {
+                var whole = new Bounds(World(wing, 0, 0), Vector3.zero);
+                foreach (JointIndex joint in JointPicking.All(wing.Skeleton))
+                    whole.Encapsulate(World(wing, joint.chain, joint.joint));
+                return whole.size.magnitude;
+            });
+            Bounds framed = m_Session.SelectedBounds();
+            Vector3 wanted = Vector3.Max(tip, root) - Vector3.Min(tip, root) + 0.1f * size * Vector3.one;
+            Assert.That((framed.size - wanted).magnitude, Is.LessThan(1e-4f));
+            Assert.That((framed.center - 0.5f * (tip + root)).magnitude, Is.LessThan(1e-4f));
+
+            Vector3 World(Wing wing, int chain, int joint) => wing.Renderer.transform.TransformPoint(wing.Skeleton.GetJoint(chain, joint));
+        }
+
+        [Test]
         public void DestroyedSkeleton_MakesItStale_AndNothingBreaks()
         {
             Object.DestroyImmediate(Right.Skeleton);
