@@ -53,6 +53,56 @@ public sealed class InsectBakingTests
     }
 
     [Test]
+    public void WhatIsTold_IsInKilobytesAndPerCent_OfWhatTheBakerGives()
+    {
+        m_Baking.Bake(m_Insect, ["cruise"], 12);
+        InsectBake bake = InsectBaker.Bake(m_Insect, [BakeMotion.Find("cruise")], new BakeSettings(12));
+        double[][] told = [.. m_Baking.Describe().Select(line => Regex.Matches(line, @"\d+(\.\d+)?")
+            .Select(number => double.Parse(number.Value, CultureInfo.InvariantCulture)).ToArray())];
+
+        Assert.That(told[0], Is.EqualTo(new[]
+        {
+            m_Baking.Made.Texture.width, m_Baking.Made.Texture.height, m_Baking.Made.TextureBytes / 1024.0,
+        }).Within(0.51));
+        BakedClip clip = bake.Clips.Single();
+        Assert.That(told[1], Is.EqualTo(new[] { 12.0, clip.Frequency, 100.0 * clip.Error.between, clip.Error.normalBetween }).Within(0.051));
+        Assert.That(told[1][2], Is.EqualTo(100.0 * clip.Error.between).Within(0.0051));
+        for (int k = 0; k < m_Baking.Made.Sizes.Count; k++)
+        {
+            CrowdSize size = m_Baking.Made.Sizes[k];
+            Assert.That(told[2 + k], Is.EqualTo(new[] { size.triangles, 100.0 * size.error }).Within(0.0051));
+        }
+    }
+
+    [Test]
+    public void WhatIsDropped_LeavesNothing_AndCanBeDroppedAgain()
+    {
+        int before = Resources.FindObjectsOfTypeAll<Object>().Length;
+        m_Baking.Bake(m_Insect, ["rest"], 24);
+        m_Baking.Dispose();
+
+        Assert.That((m_Baking.Made, m_Baking.Preview, m_Baking.Problem, m_Baking.Clips.Length), Is.EqualTo((default(BakedInsect), default(LoopPreview), default(string), 0)));
+        Assert.That(ReferenceEquals(m_Baking.Made, null), Is.True, "not even a destroyed one");
+        Assert.That(m_Baking.Describe(), Is.Empty);
+        Assert.That(Resources.FindObjectsOfTypeAll<Object>(), Has.Length.EqualTo(before), "assets are destroyed with their parts");
+        Assert.That(m_Baking.Dispose, Throws.Nothing);
+        m_Baking.Bake(m_Insect, [], 24);
+        Assert.That(m_Baking.Problem, Is.Not.Null);
+        m_Baking.Dispose();
+        Assert.That(m_Baking.Problem, Is.Null);
+    }
+
+    [Test]
+    public void ABakeThatIsStopped_MakesNothing_AndIsNoProblem()
+    {
+        m_Baking.Bake(m_Insect, ["rest"], 24);
+        m_Baking.Bake(m_Insect, ["cruise"], 24, (_, _) => false);
+        Assert.That((m_Baking.Made == null, m_Baking.Preview == null, m_Baking.Problem), Is.EqualTo((true, true, default(string))));
+        Assert.That(m_Baking.Save("Assets/Firefly Baked.asset"), Is.Null);
+        Assert.That(m_Baking.Problem, Is.Null);
+    }
+
+    [Test]
     public void Saved_NothingElseOfTheProjectIsWritten_AndTheFileIsBinary()
     {
         WingPreset other = ScriptableObject.CreateInstance<WingPreset>();

@@ -181,6 +181,55 @@ namespace Alate.Editor.Tests
             Assert.That(insect.Preset.Beat.maxFrequency, Is.EqualTo(PresetBeat.Default.maxFrequency));
         }
 
+        // The bearable wind in metres per second goes with the reference frequency and the range of the stroke.
+        [Test]
+        public void ACopy_HasEachRangeScaled_AndBearsTheSameWind()
+        {
+            InsectWings insect = Tuned();
+            WingPreset source = insect.Preset;
+            (source.Beat.featherRange, source.Beat.sweepRange, source.Stiffness.strongestWind) = (30f, 20f, 3f);
+            WingPreset copy = Keep(TunedPreset.Of(insect)[0].Copy());
+
+            Assert.That(copy.name, Is.EqualTo("fore"));
+            Assert.That(new[] { copy.Beat.flapRange, copy.Beat.featherRange, copy.Beat.sweepRange },
+                Is.EqualTo(new[] { 0.5f * source.Beat.flapRange, 15f, 10f }).Within(1e-4f));
+            Assert.That(copy.Stiffness.strongestWind * copy.ReferenceFrequency * copy.Beat.flapRange,
+                Is.EqualTo(source.Stiffness.strongestWind * source.ReferenceFrequency * source.Beat.flapRange).Within(1e-3f));
+            Assert.That(copy.SubstepsPerBeat, Is.EqualTo(48));
+            foreach (Wing wing in insect.Wings)
+                wing.AmplitudeScale = 0f;
+            Assert.That(Keep(TunedPreset.Of(insect)[0].Copy()).Stiffness.strongestWind, Is.Not.NaN.And.Positive);
+        }
+
+        [TestCase(150f, 60f, -150f)]
+        [TestCase(-150f, -60f, 150f)]
+        [TestCase(100f, 80f, 180f)]
+        [TestCase(-100f, -80f, -180f)]
+        [TestCase(10f, -20f, -10f)]
+        public void ALead_IsTheSumOfBoth_WithinHalfATurn(float preset, float wing, float sum)
+        {
+            InsectWings insect = Tuned();
+            insect.Preset.Beat.phaseLead = preset;
+            foreach (Wing one in insect.Wings)
+                one.PhaseLead = wing;
+            Assert.That(Keep(TunedPreset.Of(insect)[0].Copy()).Beat.phaseLead, Is.EqualTo(sum).Within(1e-4f));
+        }
+
+        [Test]
+        public void TheWidestRange_LimitsTheShareThatGoesIntoTheCopy([Values(0, 1, 2)] int widest)
+        {
+            InsectWings insect = Tuned();
+            float[] ranges = { 40f, 40f, 40f };
+            ranges[widest] = 150f;
+            (insect.Preset.Beat.flapRange, insect.Preset.Beat.featherRange, insect.Preset.Beat.sweepRange) = (ranges[0], ranges[1], ranges[2]);
+            foreach (Wing wing in insect.Wings)
+                wing.AmplitudeScale = 1.5f;
+            WingPreset copy = Keep(TunedPreset.Of(insect)[0].Copy());
+            float[] found = { copy.Beat.flapRange, copy.Beat.featherRange, copy.Beat.sweepRange };
+            Assert.That(found[widest], Is.EqualTo(180f).Within(1e-3f));
+            Assert.That(found[(widest + 1) % 3], Is.EqualTo(48f).Within(1e-3f));
+        }
+
         private static void AssertSame(float actual, float expected, string what) =>
             Assert.That(actual, Is.EqualTo(expected).Within(1e-5f * Mathf.Abs(expected) + 1e-6f), what);
 

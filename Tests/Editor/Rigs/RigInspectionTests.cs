@@ -149,6 +149,21 @@ namespace Alate.Editor.Tests
         }
 
         [Test]
+        public void AMeshThatWasFreed_IsDrawnAgain_OfTheSameWing()
+        {
+            var mesh = new InspectionMesh();
+            RigInspection seen = Inspect();
+            mesh.Show(seen, RigColourMode.Patch, new JointIndex[0], WingParameters.Default);
+            mesh.Dispose();
+            mesh.Show(seen, RigColourMode.Patch, new JointIndex[0], WingParameters.Default);
+            AssertShows(mesh.Mesh, seen);
+            Assert.That(mesh.Mesh.colors32, Is.EqualTo(
+                RigColouring.Corners(seen, RigColourMode.Patch, new JointIndex[0], WingParameters.Default)));
+            Assert.That(mesh.Mesh.hideFlags, Is.EqualTo(HideFlags.HideAndDontSave));
+            mesh.Dispose();
+        }
+
+        [Test]
         public void InvalidSkeleton_AndBrokenMesh_SayWhyThereIsNothingToSee()
         {
             SurfaceMesh broken = Surface();

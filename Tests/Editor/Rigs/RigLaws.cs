@@ -77,6 +77,21 @@ namespace Alate.Editor.Tests
             }
         }
 
+        [Test]
+        public void AHeight_IsMeasuredFromThatOfTheJointsAround_ByTheirWeights()
+        {
+            RigInspection rig = Inspect(0);
+            var random = new System.Random(7);
+            float[] heights = new float[rig.masses.Length];
+            for (int joint = 0; joint < heights.Length; joint++)
+                rig.rest.joints[joint].y = heights[joint] = (float)random.NextDouble() - 0.5f;
+            for (int vertex = 0; vertex < rig.points.Length; vertex += 17)
+            {
+                float plan = rig.located[vertex].distance, height = rig.points[vertex].y - rig.Blend(vertex, heights);
+                Assert.That(rig.Distance(vertex), Is.EqualTo(math.sqrt(plan * plan + height * height)).Within(1e-5f), $"{vertex}");
+            }
+        }
+
         [TestCase(0.97f, false)]
         [TestCase(1.03f, true)]
         public void AVertex_IsFar_AboveSixHundredthsOfTheWing_AndToldAlone(float share, bool isFar)

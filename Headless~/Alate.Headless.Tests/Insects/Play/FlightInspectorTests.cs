@@ -41,6 +41,8 @@ namespace Alate.Tests.Play.Headless
             typeof(InsectFlight).GetProperty(nameof(InsectFlight.AidPower)).SetValue(flight, 0.01234f);
             var page = DrawnInspector.Of(m_Editor);
             List<(string Shape, Color Colour, Vector3[] Places)> drawn = ShownGizmos.Of(flight);
+            Assert.That(flight.TryReadTrim(out WingDrive _, out Vector3 ahead), Is.True);
+            Assert.That((drawn[2].Places[1] - flight.Position - ahead).magnitude, Is.LessThan(1e-3f), "a unit for a metre per second");
 
             // A pilot is missing, which is said first; with one the numbers are told.
             Assert.That(page.Buttons, Is.EqualTo(new[] { "Add Wander Pilot", "Record" }));
