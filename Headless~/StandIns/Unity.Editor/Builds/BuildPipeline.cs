@@ -5,7 +5,12 @@ namespace UnityEditor;
 
 public class BuildPipeline
 {
-    public static BuildReport BuildPlayer(BuildPlayerOptions buildPlayerOptions) => throw Absent.Editor;
+    public static BuildReport BuildPlayer(BuildPlayerOptions buildPlayerOptions)
+    {
+        int errors = StandIns.RunningEditor.BuildPlayer?.Invoke(buildPlayerOptions) ?? throw Absent.Editor;
+        BuildResult result = errors == 0 ? BuildResult.Succeeded : BuildResult.Failed;
+        return new BuildReport { summary = new BuildSummary { result = result, totalErrors = errors } };
+    }
 }
 
 public struct BuildPlayerOptions

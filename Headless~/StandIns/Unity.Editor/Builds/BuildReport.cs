@@ -8,13 +8,13 @@ public sealed class BuildReport : Object
     {
     }
 
-    public BuildSummary summary { get; }
+    public BuildSummary summary { get; internal init; }
 }
 
 public struct BuildSummary
 {
-    public BuildResult result { get; }
-    public int totalErrors { get; }
+    public BuildResult result { get; internal init; }
+    public int totalErrors { get; internal init; }
 }
 
 public enum BuildResult

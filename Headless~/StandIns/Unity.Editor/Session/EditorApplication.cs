@@ -43,7 +43,7 @@ public sealed class EditorApplication
     public static void Exit(int returnValue) => RunningEditor.ExitCode = returnValue;
     public static void QueuePlayerLoopUpdate() => throw Absent.Editor;
     public static bool ExecuteMenuItem(string menuItemPath) => RunningEditor.MenuItem?.Invoke(menuItemPath) ?? throw Absent.Editor;
-    public static void EnterPlaymode() => throw Absent.Editor;
-    public static void ExitPlaymode() => throw Absent.Editor;
+    public static void EnterPlaymode() => isPlaying = true;
+    public static void ExitPlaymode() => isPlaying = false;
     public static void RepaintHierarchyWindow() => throw Absent.Editor;
 }

@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using UnityEditor;
 
 namespace StandIns;
@@ -20,6 +21,12 @@ public static class RunningEditor
 
     /// <summary>Items of menus that code chooses: false where there is none. Null where there is no menu at all.</summary>
     public static Func<string, bool> MenuItem { get; set; }
+
+    /// <summary>Paths of scenes that were opened or saved.</summary>
+    public static List<string> Scenes { get; } = [];
+
+    /// <summary>Builds a player, and says how many errors there were. Null where none can be built.</summary>
+    public static Func<BuildPlayerOptions, int> BuildPlayer { get; set; }
 
     internal static Action<PlayModeStateChange> PlayModeChanged { get; set; }
 
