@@ -65,7 +65,8 @@ public sealed class InsectBakingTests
             m_Baking.Made.Texture.width, m_Baking.Made.Texture.height, m_Baking.Made.TextureBytes / 1024.0,
         }).Within(0.51));
         BakedClip clip = bake.Clips.Single();
-        Assert.That(told[1], Is.EqualTo(new[] { 12.0, clip.Frequency, 100.0 * clip.Error.between, clip.Error.normalBetween }).Within(0.051));
+        Assert.That(told[1],
+            Is.EqualTo(new[] { 12.0, clip.Frequency, 100.0 * clip.Error.between, clip.Error.normalBetween }).Within(0.051));
         Assert.That(told[1][2], Is.EqualTo(100.0 * clip.Error.between).Within(0.0051));
         for (int k = 0; k < m_Baking.Made.Sizes.Count; k++)
         {
@@ -81,7 +82,8 @@ public sealed class InsectBakingTests
         m_Baking.Bake(m_Insect, ["rest"], 24);
         m_Baking.Dispose();
 
-        Assert.That((m_Baking.Made, m_Baking.Preview, m_Baking.Problem, m_Baking.Clips.Length), Is.EqualTo((default(BakedInsect), default(LoopPreview), default(string), 0)));
+        Assert.That((m_Baking.Made, m_Baking.Preview, m_Baking.Problem, m_Baking.Clips.Length),
+            Is.EqualTo((default(BakedInsect), default(LoopPreview), default(string), 0)));
         Assert.That(ReferenceEquals(m_Baking.Made, null), Is.True, "not even a destroyed one");
         Assert.That(m_Baking.Describe(), Is.Empty);
         Assert.That(Resources.FindObjectsOfTypeAll<Object>(), Has.Length.EqualTo(before), "assets are destroyed with their parts");

@@ -75,7 +75,8 @@ public sealed class LoopPreviewLaws
         foreach (BakedWing wing in m_Bake.Wings)
         {
             int chains = wing.RestJoints.Length / wing.JointsPerChain;
-            Assert.That(lines.Skip(at).Take(chains + 1).Select(line => line.isRim), Is.EqualTo(Enumerable.Repeat(false, chains).Append(true)));
+            Assert.That(lines.Skip(at).Take(chains + 1).Select(line => line.isRim),
+                Is.EqualTo(Enumerable.Repeat(false, chains).Append(true)));
             Assert.That(lines[at + chains].points, Is.EqualTo(lines.Skip(at).Take(chains).Select(line => line.points[^1])));
             Assert.That(lines.Skip(at).Take(chains).Select(line => line.points.Length), Is.All.EqualTo(wing.JointsPerChain));
             at += chains + 1;

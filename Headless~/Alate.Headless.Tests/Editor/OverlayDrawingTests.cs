@@ -51,7 +51,11 @@ public sealed class OverlayDrawingTests : SkeletonSessionFixture
         if (colours)
             wanted.Add((m_Session.Overlay.ColourMesh, Color.white, false));
         if (beat)
-            wanted.AddRange([(m_Session.Overlay.BeatMesh, SkeletonColours.beat, false), (m_Session.Overlay.BeatMesh, SkeletonColours.beatEdges, true)]);
+        {
+            wanted.Add((m_Session.Overlay.BeatMesh, SkeletonColours.beat, false));
+            wanted.Add((m_Session.Overlay.BeatMesh, SkeletonColours.beatEdges, true));
+        }
+
 
         Assert.That(DrawnMeshes.Calls.Select(call => (call.Mesh, call.Material.GetColor("_Color"), call.Edges)), Is.EqualTo(wanted));
         Assert.That(DrawnMeshes.Calls.Select(call => call.Place), Is.All.EqualTo(Right.Renderer.transform.localToWorldMatrix));
@@ -82,7 +86,8 @@ public sealed class OverlayDrawingTests : SkeletonSessionFixture
         Send(EventType.Repaint, Vector2.zero);
         Send(EventType.Repaint, Vector2.zero);
         Assert.That(Resources.FindObjectsOfTypeAll<Material>(), Has.Length.EqualTo(before + 1));
-        Assert.That(Resources.FindObjectsOfTypeAll<Material>().Count(material => material.hideFlags == HideFlags.HideAndDontSave), Is.EqualTo(1));
+        Assert.That(Resources.FindObjectsOfTypeAll<Material>().Count(material => material.hideFlags == HideFlags.HideAndDontSave),
+            Is.EqualTo(1));
         m_Gui.Dispose();
         Assert.That(Resources.FindObjectsOfTypeAll<Material>(), Has.Length.EqualTo(before));
         DrawnMeshes.Calls = [];

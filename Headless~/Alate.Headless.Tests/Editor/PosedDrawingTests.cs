@@ -50,7 +50,8 @@ public sealed class PosedDrawingTests : InsectFixture
         }
 
         DrawnBatch[] both = Draw(one, two, three);
-        Assert.That(both.Select(batch => (batch.Material, batch.Submesh)), Is.EqualTo(new[] { (one, 0), (two, 1) }), "as many as submeshes");
+        Assert.That(both.Select(batch => (batch.Material, batch.Submesh)),
+            Is.EqualTo(new[] { (one, 0), (two, 1) }), "as many as submeshes");
         foreach (DrawnBatch batch in both)
         {
             Assert.That((batch.Mesh, batch.Camera, batch.Matrices.Single()), Is.EqualTo((drawn.Mesh, camera, renderer.localToWorldMatrix)));

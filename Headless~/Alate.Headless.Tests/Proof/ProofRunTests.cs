@@ -85,7 +85,8 @@ public sealed class ProofRunTests
         UnityEngine.TestTools.LogAssert.Expect(LogType.Exception, new System.Text.RegularExpressions.Regex("golden.bin"));
         ProofSteps.Golden();
         ProofLine line = ProofPart.Read(Path.Combine(Results, "golden.json")).lines.Single();
-        Assert.That((line.what, line.state, line.measured), Is.EqualTo(("step golden", ProofState.Differs, nameof(DirectoryNotFoundException))));
+        Assert.That((line.what, line.state, line.measured),
+            Is.EqualTo(("step golden", ProofState.Differs, nameof(DirectoryNotFoundException))));
         Assert.That(line.note, Does.Contain("golden.bin"));
         Assert.That(RunningEditor.ExitCode, Is.EqualTo(1));
     }
@@ -102,7 +103,8 @@ public sealed class ProofRunTests
         tour();
         Assert.That((RunningEditor.Scenes.Single(), EditorApplication.isPlaying), Is.EqualTo(("Assets/Samples/B/B.unity", true)));
         SceneWitness witness = Resources.FindObjectsOfTypeAll<SceneWitness>().Single();
-        Assert.That((Told<string>(witness, "m_Folder"), Told<string>(witness, "m_SceneName"), Told<float[]>(witness, "m_Times")), Is.EqualTo((Results, "B", SceneTour.Times)));
+        Assert.That((Told<string>(witness, "m_Folder"), Told<string>(witness, "m_SceneName"), Told<float[]>(witness, "m_Times")),
+            Is.EqualTo((Results, "B", SceneTour.Times)));
         tour();
         Assert.That(EditorApplication.isPlaying, Is.True, "under way");
         new SceneAccount { frames = 9, pictures = SceneTour.Times.Length }.Write(Results, "B");
@@ -126,7 +128,8 @@ public sealed class ProofRunTests
         var part = ProofPart.Read(Path.Combine(Results, "scenes.json"));
         Assert.That(part.lines.Select(line => (line.what, line.state, line.measured)), Is.EqualTo(new[]
         {
-            (SceneTour.Claim("B"), ProofState.Held, "9 frames of 0.0 ms, 0 errors"), (SceneTour.Claim("Garden"), ProofState.Differs, "no report"),
+            (SceneTour.Claim("B"), ProofState.Held, "9 frames of 0.0 ms, 0 errors"),
+            (SceneTour.Claim("Garden"), ProofState.Differs, "no report"),
         }));
         Assert.That(part.pictures, Is.EqualTo(new[] { "builtin/B%2001%20s.png", "builtin/Garden%2004%20s.png" }));
     }
@@ -151,7 +154,8 @@ public sealed class ProofRunTests
         var part = ProofPart.Read(Path.Combine(Results, "player.json"));
         Assert.That(part.lines.Select(line => (line.what, line.state, line.measured)), Is.EqualTo(new[]
         {
-            (PlayerProof.Builds, ProofState.Held, "Succeeded, 0 errors"), (PlayerProof.Starts, ProofState.Held, "9 frames of 0.0 ms, 0 errors"),
+            (PlayerProof.Builds, ProofState.Held, "Succeeded, 0 errors"),
+            (PlayerProof.Starts, ProofState.Held, "9 frames of 0.0 ms, 0 errors"),
         }));
         Assert.That(RunningEditor.Scenes, Is.EqualTo(new[] { "Assets/Samples/Garden/Garden.unity", "Assets/Proof Player.unity" }));
         Assert.That((asked.scenes.Single(), asked.locationPathName, asked.target),

@@ -90,7 +90,8 @@ public sealed class ProofStepLaws
         Assert.That(again.Keys.Except(made.Keys), Is.EqualTo(new[] { Path.Combine("Library", "old.txt") }));
         Assert.That(made.All(file => again[file.Key] == file.Value), Is.True);
         string samples = Path.Combine(PackageRoot.Find(), "Samples~");
-        Assert.That(made.Keys.Where(file => file.StartsWith("Assets", StringComparison.Ordinal)).Select(file => file[("Assets/Samples/".Length)..]),
+        Assert.That(made.Keys.Where(file => file.StartsWith("Assets", StringComparison.Ordinal))
+            .Select(file => file[("Assets/Samples/".Length)..]),
             Is.EquivalentTo(Files(samples).Keys));
         Assert.That(Directory.Exists(Path.Combine(project, "ProjectSettings")), Is.True);
     }
@@ -152,7 +153,8 @@ public sealed class ProofStepLaws
             Assert.That(arguments.Contains("-runTests"), Is.EqualTo(step.IsTests));
             Assert.That(ProofArguments.Find([.. arguments], "-testResults"), Is.EqualTo(step.IsTests ? result : null));
             Assert.That(ProofArguments.Find([.. arguments], ProofArguments.Package), Is.EqualTo(step.IsTests ? null : options.Package));
-            Assert.That(arguments.Contains("--burst-force-sync-compilation"), Is.EqualTo(!step.IsTests), "times are those of compiled jobs");
+            Assert.That(arguments.Contains("--burst-force-sync-compilation"),
+                Is.EqualTo(!step.IsTests), "times are those of compiled jobs");
             Assert.That(step.Claims(PackageRoot.Find()), Is.Unique.And.Not.Empty);
         }
     }

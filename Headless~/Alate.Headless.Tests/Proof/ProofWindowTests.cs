@@ -65,7 +65,8 @@ public sealed class ProofWindowTests
             Assert.That(DrawnInspector.Press(gui, "Stop").Buttons, Has.Member("Prove"));
 
             DrawnInspector.Press(gui, "Prove");
-            var update = m_Window.GetType().GetMethod("Update", System.Reflection.BindingFlags.Instance | System.Reflection.BindingFlags.NonPublic)
+            System.Action update = m_Window.GetType().GetMethod(
+                "Update", System.Reflection.BindingFlags.Instance | System.Reflection.BindingFlags.NonPublic)
                 .CreateDelegate<System.Action>(m_Window);
             Assert.That(System.Threading.SpinWait.SpinUntil(() =>
             {

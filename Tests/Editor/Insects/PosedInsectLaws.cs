@@ -7,7 +7,7 @@ using UnityEngine;
 
 namespace Alate.Editor.Tests
 {
-    /// <summary>Laws of poses in edit mode: what changes them together changes nothing, and what a rig depends on makes a new one.</summary>
+    /// <summary>Laws of poses in edit mode: what turns with its wind stays as it is, and what a rig depends on makes a new one.</summary>
     public sealed class PosedInsectLaws : InsectFixture
     {
         private readonly List<PosedInsect> m_Posed = new List<PosedInsect>();
@@ -127,6 +127,7 @@ namespace Alate.Editor.Tests
             At(posed, insect, 0.1f);
             Wing wing = insect.Wings[0];
             WingSkeleton skeleton = wing.Skeleton;
+            MeshFilter filter = wing.Renderer.GetComponent<MeshFilter>();
             (string what, bool isNew, Action act)[] acts =
             {
                 ("patches", true, () => insect.Quality.patches = 40),
@@ -136,7 +137,7 @@ namespace Alate.Editor.Tests
                 ("a joint", true, () => skeleton.Chains[2].joints[4] += 0.01f * Vector3.forward),
                 ("no skeleton", true, () => wing.Skeleton = null),
                 ("its skeleton", true, () => wing.Skeleton = skeleton),
-                ("another mesh", true, () => wing.Renderer.GetComponent<MeshFilter>().sharedMesh = Keep(UnityEngine.Object.Instantiate(MeshOf(wing)))),
+                ("another mesh", true, () => filter.sharedMesh = Keep(UnityEngine.Object.Instantiate(filter.sharedMesh))),
                 ("side", false, () => wing.PhaseLead = 20f),
                 ("steering", false, () => insect.Steering.amplitudeScale = 0.7f),
             };

@@ -221,7 +221,9 @@ namespace Alate.Editor.Tests
             InsectWings insect = Tuned();
             float[] ranges = { 40f, 40f, 40f };
             ranges[widest] = 150f;
-            (insect.Preset.Beat.flapRange, insect.Preset.Beat.featherRange, insect.Preset.Beat.sweepRange) = (ranges[0], ranges[1], ranges[2]);
+            insect.Preset.Beat.flapRange = ranges[0];
+            insect.Preset.Beat.featherRange = ranges[1];
+            insect.Preset.Beat.sweepRange = ranges[2];
             foreach (Wing wing in insect.Wings)
                 wing.AmplitudeScale = 1.5f;
             WingPreset copy = Keep(TunedPreset.Of(insect)[0].Copy());

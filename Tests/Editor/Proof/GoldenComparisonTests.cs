@@ -77,7 +77,8 @@ namespace Alate.Editor.Tests
             computed[0].Values[3] += 0.5f * k_Allowed;
             ProofLine line = GoldenComparison.Lines(Tracks(), computed)[0];
 
-            Assert.That(line.note, Is.EqualTo($"worst: {s_Things[off[worst].thing]}, {25 * (off[worst].sample + 1)} % of the time; 2 of 3 beyond"));
+            int time = 25 * (off[worst].sample + 1);
+            Assert.That(line.note, Is.EqualTo($"worst: {s_Things[off[worst].thing]}, {time} % of the time; 2 of 3 beyond"));
             Assert.That(float.Parse(line.measured, System.Globalization.CultureInfo.InvariantCulture), Is.EqualTo(0.05f).Within(1e-5f));
             Assert.That((line.allowed, (int)line.state), Is.EqualTo(("0.01", 2)));
         }

@@ -44,7 +44,8 @@ namespace Alate.Tests.Play
                     Assert.That(pen.Lines[line].colour, Is.EqualTo(colour));
                     Assert.That((pen.Lines[line].from - hinge).magnitude, Is.LessThan(1e-4f));
                     Vector3 arrow = pen.Lines[line].to - pen.Lines[line].from;
-                    Assert.That((arrow - length * place.TransformDirection(axis.normalized)).magnitude, Is.LessThan(1e-4f), $"{wing}, {axis}");
+                    Assert.That((arrow - length * place.TransformDirection(axis.normalized)).magnitude,
+                        Is.LessThan(1e-4f), $"{wing}, {axis}");
                 }
             }
         }
@@ -96,7 +97,8 @@ namespace Alate.Tests.Play
             Assert.That((arrow[0].from - insect.transform.position).magnitude, Is.LessThan(1e-5f));
             Vector3 way = arrow[0].to - arrow[0].from;
             Assert.That((way - wind / insect.Frequency).magnitude, Is.LessThan(1e-4f));
-            Assert.That((arrow[1].to - arrow[2].to).magnitude, Is.EqualTo(0.12f * way.magnitude).Within(1e-5f), "a head that is as wide as long");
+            Assert.That((arrow[1].to - arrow[2].to).magnitude,
+                Is.EqualTo(0.12f * way.magnitude).Within(1e-5f), "a head that is as wide as long");
             Assert.That(Vector3.Dot(arrow[1].to - arrow[2].to, way), Is.EqualTo(0f).Within(1e-5f));
         }
 

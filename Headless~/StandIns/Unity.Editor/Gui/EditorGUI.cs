@@ -94,7 +94,8 @@ public sealed partial class EditorGUI
     public static void DrawRect(Rect rect, Color color) => 
         GuiPage.Needed.Add(ControlKind.Area, rect, GUIContent.none, color.ToString());
     public static void ProgressBar(Rect position, float value, string text) =>
-        GuiPage.Needed.Add(ControlKind.Area, position, new GUIContent(text), value.ToString(System.Globalization.CultureInfo.InvariantCulture));
+        GuiPage.Needed.Add(ControlKind.Area, position, new GUIContent(text),
+            value.ToString(System.Globalization.CultureInfo.InvariantCulture));
     public static Rect PrefixLabel(Rect totalPosition, int id, GUIContent label) => throw Absent.Editor;
     public static Rect PrefixLabel(Rect totalPosition, int id, GUIContent label, GUIStyle style) => throw Absent.Editor;
     public static Rect PrefixLabel(Rect totalPosition, GUIContent label) => throw Absent.Editor;

@@ -67,7 +67,8 @@ namespace Alate.Editor.Tests
                 Vector3 Project(Vector3 world) => world == Skeleton.GetJoint(far.chain, far.joint) ? new Vector3(0f, 0f, 5f)
                     : world == Skeleton.GetJoint(near.chain, near.joint) ? new Vector3(apart, 0f, 1f)
                     : new Vector3(0f, 0f, -1f);
-                Assert.That(JointPicking.TryNearest(Editing, Project, Vector2.zero, 12f, out JointIndex found, out float distance), Is.True);
+                Assert.That(JointPicking.TryNearest(Editing, Project, Vector2.zero, 12f, out JointIndex found, out float distance),
+                    Is.True);
                 Assert.That((found, distance), Is.EqualTo((hides ? near : far, hides ? apart : 0f)));
                 Assert.That(JointPicking.TryNearest(Editing, Project, new Vector2(-12f, 0f), 12f, out found, out _), Is.True);
                 Assert.That(found, Is.EqualTo(far), "at the rim of the radius");

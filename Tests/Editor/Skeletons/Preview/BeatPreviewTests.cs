@@ -118,7 +118,8 @@ namespace Alate.Editor.Tests
             foreach (Vector3 place in mesh.vertices)
                 tight.Encapsulate(place);
             Assert.That(bounds.size.magnitude, Is.LessThan(1.3f * tight.size.magnitude));
-            Assert.That((mesh.hideFlags, mesh.indexFormat), Is.EqualTo((HideFlags.HideAndDontSave, UnityEngine.Rendering.IndexFormat.UInt16)));
+            Assert.That((mesh.hideFlags, mesh.indexFormat), Is.EqualTo((HideFlags.HideAndDontSave,
+                UnityEngine.Rendering.IndexFormat.UInt16)));
         }
 
         [Test]

@@ -24,14 +24,16 @@ namespace Alate.Editor.Tests
             m_Overlay.ShowsBeat = true;
             m_Overlay.Colours = RigColourMode.Patch;
             m_Overlay.Refresh(target, s_None, hurries: false);
-            Assert.That((m_Overlay.BeatMesh == null, m_Overlay.ColourMesh == null, m_Overlay.Rig == null), Is.EqualTo((false, false, false)));
+            Assert.That((m_Overlay.BeatMesh == null, m_Overlay.ColourMesh == null, m_Overlay.Rig == null),
+                Is.EqualTo((false, false, false)));
 
             m_Overlay.Refresh(new SkeletonTarget(Left.Skeleton, null, null) { WithoutSurface = "No." }, s_None, hurries: false);
             Assert.That((m_Overlay.BeatMesh == null, m_Overlay.ColourMesh == null, m_Overlay.Rig == null), Is.EqualTo((true, true, true)));
             Assert.That(m_Overlay.Refusal, Is.EqualTo("No."));
 
             m_Overlay.Refresh(target, s_None, hurries: false);
-            Assert.That((m_Overlay.BeatMesh == null, m_Overlay.ColourMesh == null, m_Overlay.Rig == null), Is.EqualTo((false, false, false)));
+            Assert.That((m_Overlay.BeatMesh == null, m_Overlay.ColourMesh == null, m_Overlay.Rig == null),
+                Is.EqualTo((false, false, false)));
             Assert.That(m_Overlay.Refusal, Is.Null);
         }
 
@@ -113,7 +115,8 @@ namespace Alate.Editor.Tests
             {
                 key.With(RigColourMode.Patch, one, 3), key.With(null, one, 3), key.With(RigColourMode.Delay, two, 3),
                 key.With(RigColourMode.Delay, one, 4), new OverlayKey(target, 8u).With(RigColourMode.Delay, one, 3),
-                new OverlayKey(Target(Left), 7u).With(RigColourMode.Delay, one, 3), key.With(RigColourMode.Delay, one.Concat(two).ToArray(), 3),
+                new OverlayKey(Target(Left), 7u).With(RigColourMode.Delay, one, 3),
+                key.With(RigColourMode.Delay, one.Concat(two).ToArray(), 3),
             };
             Assert.That(others.Any(other => shown.Equals(other) || shown.Equals((object)other)), Is.False);
         }
