@@ -24,7 +24,7 @@ public sealed class HandleSizeTests : EditingFixture
     public void Forget()
     {
         SceneEye.HandleSize = null;
-        (DrawnLines.Calls, DrawnLines.Widths, DrawnLines.Labels, StandIns.DrawnGizmos.Calls) = (null, null, null, null);
+        (DrawnLines.Calls, DrawnLines.Widths, DrawnLines.Labels, DrawnGizmos.Calls) = (null, null, null, null);
     }
 
     [Test]
@@ -93,11 +93,11 @@ public sealed class HandleSizeTests : EditingFixture
     public void APensDots_KeepTheirSizeToo_AndItsWideLinesAreTwoAndAHalfPixels()
     {
         var pen = new ScenePen();
-        (StandIns.DrawnGizmos.Calls, DrawnLines.Widths) = ([], []);
+        (DrawnGizmos.Calls, DrawnLines.Widths) = ([], []);
         var at = new Vector3(3f, 0f, 4f);
         pen.Dot(at, Color.green);
         pen.Line(at, Vector3.zero, Color.green, true);
-        Vector3[] ball = StandIns.DrawnGizmos.Calls.Single().Places;
+        Vector3[] ball = DrawnGizmos.Calls.Single().Places;
         Assert.That(Vector3.Distance(ball[1], ball[0]), Is.EqualTo(0.035f * SizeAt(at)).Within(1e-5f));
         Assert.That(DrawnLines.Widths, Is.EqualTo(new[] { 2.5f }));
     }

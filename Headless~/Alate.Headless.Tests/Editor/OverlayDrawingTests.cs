@@ -56,7 +56,6 @@ public sealed class OverlayDrawingTests : SkeletonSessionFixture
             wanted.Add((m_Session.Overlay.BeatMesh, SkeletonColours.beatEdges, true));
         }
 
-
         Assert.That(DrawnMeshes.Calls.Select(call => (call.Mesh, call.Material.GetColor("_Color"), call.Edges)), Is.EqualTo(wanted));
         Assert.That(DrawnMeshes.Calls.Select(call => call.Place), Is.All.EqualTo(Right.Renderer.transform.localToWorldMatrix));
         Assert.That(GL.wireframe, Is.False);

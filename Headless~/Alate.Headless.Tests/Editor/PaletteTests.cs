@@ -81,7 +81,7 @@ public sealed class PaletteTests
                 yield return ($"{type.Name}.{field.Name}", (Color)field.GetValue(null));
             if (field.FieldType != typeof(Color[]))
                 continue;
-            Color[] many = (Color[])field.GetValue(null);
+            var many = (Color[])field.GetValue(null);
             for (int k = 0; k < many.Length; k++)
                 yield return ($"{type.Name}.{field.Name}[{k}]", many[k]);
         }

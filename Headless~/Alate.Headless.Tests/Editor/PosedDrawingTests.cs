@@ -32,7 +32,7 @@ public sealed class PosedDrawingTests : InsectFixture
         MeshRenderer renderer = insect.Wings[0].Renderer;
         Mesh mesh = MeshOf(insect.Wings[0]);
         mesh.subMeshCount = 2;
-        Shader shader = Shader.Find("Standard");
+        var shader = Shader.Find("Standard");
         Material one = Keep(new Material(shader)), two = Keep(new Material(shader)), three = Keep(new Material(shader));
         renderer.gameObject.layer = 5;
         (renderer.renderingLayerMask, renderer.shadowCastingMode, renderer.receiveShadows) = (6u, ShadowCastingMode.TwoSided, true);

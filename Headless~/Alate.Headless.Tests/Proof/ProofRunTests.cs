@@ -99,7 +99,7 @@ public sealed class ProofRunTests
         File.WriteAllText(Path.Combine(Results, "B 01 s.png"), "");
         EditorApplication.CallbackFunction before = EditorApplication.update;
         ProofSteps.Scenes();
-        EditorApplication.CallbackFunction tour = (EditorApplication.CallbackFunction)Delegate.Remove(EditorApplication.update, before);
+        var tour = (EditorApplication.CallbackFunction)Delegate.Remove(EditorApplication.update, before);
         tour();
         Assert.That((RunningEditor.Scenes.Single(), EditorApplication.isPlaying), Is.EqualTo(("Assets/Samples/B/B.unity", true)));
         SceneWitness witness = Resources.FindObjectsOfTypeAll<SceneWitness>().Single();

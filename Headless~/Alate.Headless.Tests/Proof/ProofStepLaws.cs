@@ -102,9 +102,9 @@ public sealed class ProofStepLaws
         string own = File.ReadAllText(Path.Combine(PackageRoot.Find(), "Packages", "manifest.json"));
         string plain = Manifest("builtin"), universal = Manifest("urp");
         Assert.That(plain, Is.EqualTo(own.Replace("\"file:..\"", $"\"file:{PackageRoot.Find()}\"")));
-        const string added = "\n    \"com.unity.render-pipelines.universal\": \"17.1.2\",";
-        Assert.That(universal.Replace(added, ""), Is.EqualTo(plain));
-        Assert.That(universal.IndexOf(added, StringComparison.Ordinal),
+        const string k_Added = "\n    \"com.unity.render-pipelines.universal\": \"17.1.2\",";
+        Assert.That(universal.Replace(k_Added, ""), Is.EqualTo(plain));
+        Assert.That(universal.IndexOf(k_Added, StringComparison.Ordinal),
             Is.EqualTo(plain.IndexOf("\"dependencies\": {", StringComparison.Ordinal) + "\"dependencies\": {".Length));
 
         string Manifest(string pipeline) =>

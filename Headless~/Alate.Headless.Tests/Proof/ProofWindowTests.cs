@@ -57,7 +57,7 @@ public sealed class ProofWindowTests
             Assert.That(DrawnInspector.Press(gui, "Prove").HelpBoxes.Last(), Does.StartWith("No render pipeline is named"));
             DrawnInspector.Press(gui, "builtin");
             File.SetUnixFileMode(RunningEditor.Path, UnixFileMode.UserRead | UnixFileMode.UserWrite | UnixFileMode.UserExecute);
-            DrawnInspector page = DrawnInspector.Press(gui, "Prove");
+            var page = DrawnInspector.Press(gui, "Prove");
             Assert.That(page.HelpBoxes.Count(), Is.EqualTo(1), "no problem any more");
             Assert.That(page.Buttons, Is.EqualTo(new[] { "Stop" }), "nothing else can be chosen meanwhile");
             DrawnControl bar = page.Controls.Single(control => control.Kind == ControlKind.Area);

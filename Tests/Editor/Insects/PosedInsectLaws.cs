@@ -93,7 +93,7 @@ namespace Alate.Editor.Tests
         [TestCase(-90f, 0f)]
         [TestCase(float.NaN, 0f)]
         [TestCase(359f, 359f)]
-        public void AStartPhaseBeyondItsRange_IsItsEnd(float written, float as_)
+        public void AStartPhaseBeyondItsRange_IsItsEnd(float written, float end)
         {
             InsectWings insect = Shown();
             PosedInsect posed = Pose(insect);
@@ -101,7 +101,7 @@ namespace Alate.Editor.Tests
             field.SetValue(insect, written);
             Vector3[] shown = At(posed, insect, 0.2f);
             field.SetValue(insect, 0f);
-            Assert.That(Apart(shown, At(posed, insect, 0.2f + as_ / 360f)), Is.LessThan(1e-5f));
+            Assert.That(Apart(shown, At(posed, insect, 0.2f + end / 360f)), Is.LessThan(1e-5f));
         }
 
         [Test]

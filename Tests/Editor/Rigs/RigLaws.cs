@@ -87,6 +87,7 @@ namespace Alate.Editor.Tests
                 rig.rest.joints[joint].y = heights[joint] = (float)random.NextDouble() - 0.5f;
             for (int vertex = 0; vertex < rig.points.Length; vertex += 17)
             {
+                rig.points[vertex].y = 0.3f * (float)random.NextDouble();
                 float plan = rig.located[vertex].distance, height = rig.points[vertex].y - rig.Blend(vertex, heights);
                 Assert.That(rig.Distance(vertex), Is.EqualTo(math.sqrt(plan * plan + height * height)).Within(1e-5f), $"{vertex}");
             }

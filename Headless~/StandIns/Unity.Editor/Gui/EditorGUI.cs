@@ -91,7 +91,7 @@ public sealed partial class EditorGUI
         Object obj,
         Type objType,
         Object targetBeingEdited) => throw Absent.Editor;
-    public static void DrawRect(Rect rect, Color color) => 
+    public static void DrawRect(Rect rect, Color color) =>
         GuiPage.Needed.Add(ControlKind.Area, rect, GUIContent.none, color.ToString());
     public static void ProgressBar(Rect position, float value, string text) =>
         GuiPage.Needed.Add(ControlKind.Area, position, new GUIContent(text),
