@@ -19,7 +19,7 @@ namespace Alate.Editor.Tests
             {
                 Vector3 normal = new Vector3(1f, 2f, 2f).normalized, along = Vector3.Cross(normal, Vector3.up).normalized;
                 Vector3 direction = Mathf.Sqrt(1f - sine * sine) * along - sine * normal;
-                Vector3 over = Vector3.Cross(along, normal);
+                var over = Vector3.Cross(along, normal);
                 var ray = new Ray(s_Anchor + 0.1f * normal + 0.3f * over - 3f * along, direction);
                 Assert.That(DragPlane.TryPoint(ray, s_Anchor, length * normal, out Vector3 point), Is.True);
                 Assert.That(Vector3.Dot(point - s_Anchor, normal), Is.EqualTo(0f).Within(1e-4f));
