@@ -44,8 +44,11 @@ public sealed class HandleSizeTests : EditingFixture
             [.. drawn.Where(call => call.Colour == SkeletonColours.problem || call.Colour == SkeletonColours.hinge)];
         Assert.That(rings, Has.Length.EqualTo(2));
         foreach ((Color _, Vector3[] points) in rings)
+        {
             Assert.That(Vector3.Distance(points[1], 0.1f * SizeAt(points[0]) * Vector3.up),
                 Is.LessThan(1e-5f), "flat, where no camera looks");
+        }
+
         Vector3 hinge = m_Place.MultiplyPoint3x4(Skeleton.Hinge);
         float[] arrows = [.. drawn.Where(call => call.Points.Length == 2 && Vector3.Distance(call.Points[0], hinge) < 1e-5f
             && call.Colour != SkeletonColours.hinge).Select(call => call.Points[1].x)];

@@ -59,7 +59,7 @@ public sealed class PaletteTests
     [Test]
     public void EveryColourOfTheEditor_IsThatOfThePalette()
     {
-        Dictionary<string, Color> colours = typeof(BeatGraph).Assembly.GetTypes().SelectMany(Colours)
+        var colours = typeof(BeatGraph).Assembly.GetTypes().SelectMany(Colours)
             .ToDictionary(one => one.Name, one => one.Colour);
         Assert.That(colours.Keys, Is.EquivalentTo(s_Palette.Keys));
         foreach ((string name, Color colour) in colours)
