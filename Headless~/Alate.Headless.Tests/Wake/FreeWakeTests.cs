@@ -59,6 +59,23 @@ namespace Alate.Tests.Wake
             Assert.That(NativeMemoryLedger.LiveCount, Is.EqualTo(memory), NativeMemoryLedger.Describe());
         }
 
+        // A narrow strip answers to its own trailing legs by many times what it has.
+        [Test]
+        public void NarrowStrips_FindTheirCirculation_AndLiftAsWideOnes()
+        {
+            float[] lifts = Array.ConvertAll(new[] { 16, 96 }, panels =>
+            {
+                var settings = new WakeSettings { SpanPanels = panels, StepsPerBeat = 8, Stream = new float3(0f, 0f, -4f) };
+                using var wake = new FreeWake(settings, new[] { new WakeWing(Plate.Steady(2f, 0.1)) });
+                for (int k = 0; k < 16; k++)
+                    wake.Step();
+                Assert.That(wake.Failures, Is.Zero, $"{panels} strips");
+                return wake.Loads(0).Force.y;
+            });
+
+            Assert.That(lifts[1], Is.EqualTo(lifts[0]).Within(5).Percent);
+        }
+
         [Test]
         public void RandomMotions_StayFinite([Range(1, 24)] int seed) => AssertFinite(seed);
 

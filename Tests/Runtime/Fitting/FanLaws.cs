@@ -156,6 +156,21 @@ namespace Alate.Tests
                 Assert.That(outline.Contains(point) || Distance(outline.At(outline.Nearest(point)), point) < 0.004, Is.True);
         }
 
+        // A slit less wide than the hundredth within which the ends of a way are not looked at, just before its end or its beginning.
+        [Test]
+        public void ANarrowSlitAtAnEnd_DoesNotBendTheWay([Values] bool isAtTheEnd)
+        {
+            PlanPoint[] corners = { new PlanPoint(0, 0), new PlanPoint(0, 1), new PlanPoint(0.7, 1), new PlanPoint(0.7, 0.2),
+                new PlanPoint(0.709, 0.2), new PlanPoint(0.709, 1), new PlanPoint(1, 1), new PlanPoint(1, 0) };
+            var outline = new ClosedCurve(corners, 4000);
+            double from = outline.Nearest(isAtTheEnd ? new PlanPoint(1, 0.5) : new PlanPoint(0.709, 0.5)),
+                to = outline.Nearest(isAtTheEnd ? new PlanPoint(0.7, 0.5) : new PlanPoint(0, 0.5));
+
+            Assert.That(InnerPath.Find(outline, from, to), Has.Count.EqualTo(2));
+            Assert.That(InnerPath.Find(outline, outline.Nearest(new PlanPoint(1, 0.5)), outline.Nearest(new PlanPoint(0, 0.5))),
+                Has.Count.GreaterThan(2), "in the middle of a way it is a slit");
+        }
+
         [Test]
         public void ABoneOutsideTheWing_IsAsFarOffAsItsFarthestPlace()
         {

@@ -47,6 +47,20 @@ namespace Alate.Tests
                 Assert.That(k != inside && shares[k] > from + 1e-9 && shares[k] < to - 1e-9, Is.False, $"chain {k}");
         }
 
+        // Of three chains the last one is given: what is nearer to it than to the middle one goes to the middle one all the same.
+        [Test]
+        public void ATailBesideTheLastChain_HasTheOneBefore()
+        {
+            (double, double)[] low = { (1, 0.25), (1, -0.25), (0.65, -0.25), (0.65, -0.55), (0.59, -0.55), (0.59, -0.25) };
+            FanShares shares = Shares(low, 3, out WingLandmarks marks, out WingMargin margin);
+            OutlineStretch tail = marks.Trimmed.Tails.Single();
+            double at = margin.ShareAt(0.5 * (tail.from + tail.to));
+
+            Assert.That(at, Is.InRange(0.76, 0.95));
+            Assert.That(new[] { 0, 1, 2 }.Where(k => shares.TailOf(k).HasValue), Is.EqualTo(new[] { 1 }));
+            Assert.That(shares[1], Is.EqualTo(at).Within(1e-9));
+        }
+
         [Test]
         public void NoChain_EndsInACleft([Values(3, 5, 8, 16)] int chains)
         {

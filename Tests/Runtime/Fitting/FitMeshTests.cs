@@ -185,7 +185,9 @@ namespace Alate.Tests
         {
             AssertWrong((ref SkeletonFitSettings s) => s.chains = 2, "3 to 16 chains");
             AssertWrong((ref SkeletonFitSettings s) => s.jointsPerChain = 17, "3 to 16 joints");
-            AssertWrong((ref SkeletonFitSettings s) => s.hinge = new Vector3(float.NaN, 0f, 0f), "hinge");
+            AssertWrong(
+                (ref SkeletonFitSettings s) => s.hinge = new Vector3(float.NaN, 2f, 3f),
+                "hinge to fit a skeleton by is not finite: (NaN, 2, 3)");
             AssertWrong((ref SkeletonFitSettings s) => s.bodyPoint = new Vector3(0f, float.PositiveInfinity, 0f), "body's point");
             AssertWrong((ref SkeletonFitSettings s) => s.bodySide = Vector3.zero, "body's side");
             AssertWrong((ref SkeletonFitSettings s) => s.forward = Vector3.zero, "forward direction");

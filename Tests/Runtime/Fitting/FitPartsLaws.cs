@@ -285,6 +285,29 @@ namespace Alate.Tests
             Assert.That(round.holes, Is.Empty);
         }
 
+        // Lobes all around one corner: walked one after another, counterclockwise, through the corner each time.
+        [TestCase(2, 0.4)]
+        [TestCase(5, 0.9)]
+        [TestCase(8, 0.3)]
+        [TestCase(11, 0.5)]
+        public void LobesAroundACorner_AreOneOutline(int lobes, double width)
+        {
+            var plan = new List<PlanPoint> { new PlanPoint(0, 0) };
+            var edges = new List<(int, int)>();
+            for (int lobe = 0; lobe < lobes; lobe++)
+            {
+                double from = 2.0 * Math.PI * lobe / lobes + 0.1;
+                plan.Add(new PlanPoint(Math.Cos(from), Math.Sin(from)));
+                plan.Add(new PlanPoint(Math.Cos(from + width), Math.Sin(from + width)));
+                edges.AddRange(new[] { (0, 2 * lobe + 1), (2 * lobe + 2, 2 * lobe + 1), (2 * lobe + 2, 0) });
+            }
+
+            var walk = new OutlineWalk(plan.ToArray(), edges);
+            Assert.That(walk.outline, Has.Count.EqualTo(3 * lobes));
+            Assert.That(Polygon.Area(walk.outline.ConvertAll(place => plan[place])), Is.EqualTo(0.5 * lobes * Math.Sin(width)).Within(1e-9));
+            Assert.That(walk.holes, Is.Empty);
+        }
+
         private static bool Near((double, double) a, (double, double) b) =>
             Math.Abs(a.Item1 - b.Item1) + Math.Abs(a.Item2 - b.Item2) < 1e-9;
 
