@@ -106,7 +106,7 @@ namespace Alate.Tests.Architecture
         [TestCase("Alate.Cli")]
         public void EveryType_IsFoundInAFile(string assembly)
         {
-            Dictionary<string, string> files = Rooms.Files(assembly);
+            Dictionary<string, string> files = SourceFiles.Of(assembly);
 
             Assert.That(Rooms.Types(assembly).Select(type => type.Name.Split('`')[0]), Is.SubsetOf(files.Keys));
         }
@@ -138,7 +138,8 @@ namespace Alate.Tests.Architecture
             var project = XElement.Load(Path.Combine(root, "Headless~", assembly, assembly + ".csproj"));
             IEnumerable<string> named = definition.RootElement.GetProperty("references").EnumerateArray()
                 .Select(reference => reference.GetString()).Where(name => !name.StartsWith("Alate"));
-            string[] sources = Rooms.Files(assembly).Values.Distinct().Select(file => File.ReadAllText(Path.Combine(root, file))).ToArray();
+            string[] sources = SourceFiles.Of(assembly).Values.Distinct()
+                .Select(file => File.ReadAllText(Path.Combine(root, file))).ToArray();
             IEnumerable<string> used = s_Outside
                 .Where(one => sources.Any(source => Regex.IsMatch(source, $@"^using (?:static )?{one.Value}\b", RegexOptions.Multiline)))
                 .Select(one => one.Key);

@@ -3,7 +3,6 @@ using System.Collections.Generic;
 using System.IO;
 using System.Linq;
 using System.Reflection;
-using System.Text.RegularExpressions;
 using Alate.Cli;
 
 namespace Alate.Tests.Architecture
@@ -213,49 +212,19 @@ namespace Alate.Tests.Architecture
                 },
             };
 
-        private const string k_Declaration =
-            @"(?:\[.*\] *)?(?:(?:public|internal|static|sealed|abstract|unsafe|readonly|partial|ref) +)*"
-            + @"(?:record +struct|class|struct|enum|interface|record|delegate +\S+) +(\w+)";
-
-        private static readonly Regex s_Declaration = new Regex("^ {4}" + k_Declaration, RegexOptions.Multiline);
-
-        /// <summary>As <see cref="s_Declaration"/>, below a line that gives the whole file its namespace.</summary>
-        private static readonly Regex s_Plain = new Regex("^" + k_Declaration, RegexOptions.Multiline),
-            s_WholeFile = new Regex(@"^namespace [\w.]+;", RegexOptions.Multiline);
-
-        private static readonly Regex s_Prose = new Regex(@"//[^\n]*|(?<!\$)""(?:\\.|[^""\\\n])*""");
-
-        private static readonly Regex s_Member = new Regex(@"(?<![\w.])([A-Z]\w+)\.\w");
-
-        /// <summary>[type] File of the package in which each top-level type of an assembly is declared, from the package's root.</summary>
-        public static Dictionary<string, string> Files(string assembly)
-        {
-            string root = PackageRoot.Find(), folder = Path.Combine(root, Folders[assembly]);
-            var files = new Dictionary<string, string>();
-            foreach (string file in Directory.GetFiles(folder, "*.cs", SearchOption.AllDirectories))
-            {
-                string place = Path.GetRelativePath(root, file).Replace('\\', '/');
-                if (Folders.Values.Any(inner => inner.StartsWith(Folders[assembly] + "/") && place.StartsWith(inner + "/")))
-                    continue;
-                string text = File.ReadAllText(file);
-                foreach (Match declared in (s_WholeFile.IsMatch(text) ? s_Plain : s_Declaration).Matches(text))
-                    files.TryAdd(declared.Groups[1].Value, place);
-            }
-
-            return files;
-        }
-
         /// <summary>Uses between assemblies that the table does not have.</summary>
         public static List<Violation> BetweenAssemblies(IReadOnlyDictionary<string, string[]> arrows)
         {
             var found = new List<Violation>();
             foreach (string assembly in arrows.Keys)
             {
-                Dictionary<string, string> files = Files(assembly);
+                Dictionary<string, string> files = SourceFiles.Of(assembly);
                 foreach (Type type in Types(assembly))
                 {
                     foreach (Type used in TypeUses.Of(type))
                     {
+                        if (used.Assembly == type.Assembly)
+                            continue;
                         string other = used.Assembly.GetName().Name;
                         if (other != assembly && arrows.ContainsKey(other) && !arrows[assembly].Contains(other))
                             found.Add(new Violation(files[Name(type)], Name(type), Name(used), $"{assembly} -> {other}"));
@@ -274,7 +243,8 @@ namespace Alate.Tests.Architecture
         {
             var found = new HashSet<Violation>();
             string assembly = place.Split('/')[0], folder = Folder(place);
-            var files = Files(assembly).Where(one => one.Value.StartsWith(folder + "/")).ToDictionary(one => one.Key, one => one.Value);
+            var files = SourceFiles.Of(assembly).Where(one => one.Value.StartsWith(folder + "/"))
+                .ToDictionary(one => one.Key, one => one.Value);
             foreach (Type type in Types(assembly).Where(type => files.ContainsKey(Name(type))))
             {
                 foreach (Type used in TypeUses.Of(type).Where(used => used.Assembly == type.Assembly && files.ContainsKey(Name(used))))
@@ -283,8 +253,7 @@ namespace Alate.Tests.Architecture
 
             foreach (string file in files.Values.Distinct())
             {
-                string text = s_Prose.Replace(File.ReadAllText(Path.Combine(PackageRoot.Find(), file)), "");
-                foreach (string used in s_Member.Matches(text).Select(match => match.Groups[1].Value).Where(files.ContainsKey).Distinct())
+                foreach (string used in SourceFiles.NamedIn(file).Where(files.ContainsKey))
                     Check(file, Path.GetFileNameWithoutExtension(file).Split('.')[0], used);
             }
 
@@ -305,7 +274,7 @@ namespace Alate.Tests.Architecture
         {
             foreach (string assembly in Folders.Keys)
             {
-                ILookup<string, string> rooms = Files(assembly).Values.Distinct().ToLookup(file => Room(Folders[assembly], file));
+                ILookup<string, string> rooms = SourceFiles.Of(assembly).Values.Distinct().ToLookup(file => Room(Folders[assembly], file));
                 if (rooms.Count > 1)
                     yield return assembly;
                 foreach (IGrouping<string, string> room in rooms)

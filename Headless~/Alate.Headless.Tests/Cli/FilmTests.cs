@@ -41,7 +41,7 @@ namespace Alate.Tests.Cli
             }
         }
 
-        [TestCase(false)]
+        [TestCase(false, Explicit = true, Category = "Long")]
         [TestCase(true)]
         public void TheSound_IsAsLongAsTheFilm_AndBeatsAsTheInsect_OrAsSlowAsTheFilm(bool isSlow)
         {

@@ -22,6 +22,8 @@ namespace Alate.Tests.Cli
                 "Monarch");
 
         [Test]
+        [Explicit]
+        [Category("Long")]
         public void TheMonarchBesideMeasurements_IsThatOfThePage() =>
             Compare("flights beside measurements", FlightFigures.Measured(), "");
 

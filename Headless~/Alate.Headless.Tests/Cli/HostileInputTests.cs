@@ -128,10 +128,10 @@ namespace Alate.Tests.Cli
                 ["--pilot", "'hawk'", "wander"], "fly", "monarch", "--free", "--pilot", "hawk", option, value, "--out", m_Run.Out);
 
         [TestCase("species", ">&-")]
-        [TestCase("--help", ">&-")]
-        [TestCase("fly monarch --seconds 0.2 --no-pictures --out OUT", ">&-")]
+        [TestCase("--help", ">&-", Explicit = true, Category = "Long")]
+        [TestCase("fly monarch --seconds 0.2 --no-pictures --out OUT", ">&-", Explicit = true, Category = "Long")]
         [TestCase("fly monarch --seconds 0.2 --no-pictures --out OUT", ">/dev/full")]
-        [TestCase("species --json OUT.json", ">/dev/full")]
+        [TestCase("species --json OUT.json", ">/dev/full", Explicit = true, Category = "Long")]
         public void AnOutputThatTakesNothing_LeavesNothing(string words, string output)
         {
             if (!File.Exists("/dev/full"))
@@ -163,6 +163,8 @@ namespace Alate.Tests.Cli
         }
 
         [Test]
+        [Explicit]
+        [Category("Long")]
         public void ALinkInTheWorkingFolder_LeadsWhereItLeads()
         {
             Ignore();

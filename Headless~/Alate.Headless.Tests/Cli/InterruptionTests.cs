@@ -53,6 +53,8 @@ namespace Alate.Tests.Cli
         }
 
         [Test]
+        [Explicit]
+        [Category("Long")]
         public void CtrlC_ShowsTheCursorAgain()
         {
             const string hide = "\u001b[?25l", show = "\u001b[?25h";

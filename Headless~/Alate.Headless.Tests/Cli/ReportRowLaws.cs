@@ -19,6 +19,8 @@ public sealed class ReportRowLaws
         File.ReadAllText(Path.Combine(PackageRoot.Find(), "Documentation~", "validation.json"))).RootElement);
 
     [Test]
+    [Explicit]
+    [Category("Long")]
     public void FlightsOfDragonflies_AreThoseOfTheReport() =>
         Compare("dragonfly, flight ", 15, done => DragonflyRows.Flights(new Fineness(16, 32), done), 0.05, 0.03);
 
@@ -31,6 +33,8 @@ public sealed class ReportRowLaws
         Compare("monarch, free flight", 2, done => ButterflyRows.Free(new Fineness(16, 32), done), 0.2, 0.1, false);
 
     [Test]
+    [Explicit]
+    [Category("Long")]
     public void AClimbingMonarch_IsThatOfTheReport() =>
         Compare("monarch, climbing", 1, done => ButterflyRows.Climbing(new Fineness(24, 48), done), 0.06, 0.1, false);
 

@@ -31,17 +31,21 @@ namespace Alate.Tests.Wake
         }
 
         [TestCaseSource(nameof(Bounds))]
-        public void ANumber_IsTakenWithinItsBounds_AndNamedBeyond(Action<WakeSettings, float> set, float[] taken, float[] refused, string name)
+        public void ANumber_IsTakenWithinItsBounds_AndNamedBeyond(
+            Action<WakeSettings, float> set, float[] taken, float[] refused, string name)
         {
             foreach (float value in taken)
                 Assert.That(() => With(set, value).Validate(1), Throws.Nothing, $"{value}");
             foreach (float value in refused)
-                Assert.That(() => With(set, value).Validate(1), Throws.ArgumentException.With.Message.StartsWith(name + " is "), $"{value}");
+            {
+                Assert.That(
+                    () => With(set, value).Validate(1), Throws.ArgumentException.With.Message.StartsWith(name + " is "), $"{value}");
+            }
         }
 
         [Test]
-        public void AWakeOfNoWing_IsRefused() =>
-            Assert.That(() => new WakeSettings().Validate(0), Throws.ArgumentException.With.Message.EqualTo("wings is 0; allowed: 1 or more."));
+        public void AWakeOfNoWing_IsRefused() => Assert.That(
+            () => new WakeSettings().Validate(0), Throws.ArgumentException.With.Message.EqualTo("wings is 0; allowed: 1 or more."));
 
         // Of few steps, so that no bound of the memory is met.
         private static WakeSettings With(Action<WakeSettings, float> set, float value)

@@ -19,8 +19,8 @@ namespace Alate
             public int rescue;
 
             /// <summary>
-            /// Movement of a joint in an iteration, wing lengths, from which on a wing is far from the minimum: stopped there, a cell of the
-            /// lattice may stay inside out for a substep.
+            /// Movement of a joint in an iteration, wing lengths, from which on a wing is far from the minimum: stopped there, a cell of
+            /// the lattice may stay inside out for a substep.
             /// </summary>
             public float far;
 

@@ -304,7 +304,8 @@ namespace Alate.Tests
 
             var walk = new OutlineWalk(plan.ToArray(), edges);
             Assert.That(walk.outline, Has.Count.EqualTo(3 * lobes));
-            Assert.That(Polygon.Area(walk.outline.ConvertAll(place => plan[place])), Is.EqualTo(0.5 * lobes * Math.Sin(width)).Within(1e-9));
+            double area = Polygon.Area(walk.outline.ConvertAll(place => plan[place]));
+            Assert.That(area, Is.EqualTo(0.5 * lobes * Math.Sin(width)).Within(1e-9));
             Assert.That(walk.holes, Is.Empty);
         }
 

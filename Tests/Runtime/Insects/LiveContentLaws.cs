@@ -128,7 +128,8 @@ namespace Alate.Tests
         [Test]
         public void AMeshWithoutNormals_HasNoneInItsCopies([Values] bool packed)
         {
-            Mesh source = Keep(new Mesh { vertices = new[] { Vector3.zero, Vector3.right, Vector3.forward }, triangles = new[] { 0, 1, 2 } });
+            Vector3[] corners = { Vector3.zero, Vector3.right, Vector3.forward };
+            Mesh source = Keep(new Mesh { vertices = corners, triangles = new[] { 0, 1, 2 } });
             Mesh made = Keep(DeformableMesh.Build(source, new[] { 2, 0, 1 }, packed, moves: false));
             Assert.That(made.normals, Is.All.EqualTo(Vector3.zero));
         }

@@ -115,7 +115,7 @@ namespace Alate.Tests.Play
 
             FlightRecording recording = flight.Recorder.Recording;
             Assert.That(File.ReadAllText(file), Is.EqualTo(RecordingText.Write(recording)));
-            Assert.That(run.Run("fly", "--free", "--replay", file, "--out", run.Out), Is.Zero, run.Errors);
+            Assert.That(run.Run("fly", "--free", "--replay", file, "--no-pictures", "--out", run.Out), Is.Zero, run.Errors);
             string[] rows = File.ReadAllLines(Path.Combine(run.Out, "trajectory.csv"));
             Assert.That(rows, Has.Length.EqualTo(1 + recording.Steps.Count));
             Assert.That(run.Output, Does.Contain("Flown again"));

@@ -36,7 +36,7 @@ namespace Alate.Tests.Play.Headless
             Assert.That(Scene.Crowd.DrawnCount, Is.EqualTo(2), "nobody has placed the third");
             Assert.That(finest, Has.Length.EqualTo(Scene.Baked.Materials.Count));
             int size = Array.FindIndex(Scene.Baked.Sizes.ToArray(), known => known.mesh == finest[0].Mesh);
-            ReducedSurface reduced = ReducedSurface.Of(Scene.Bake, BakedInsect.DefaultTriangles)[size];
+            ReducedSurface reduced = ReducedSurface.Of(Scene.Bake, CrowdScene.Triangles)[size];
             var positions = new float3[Scene.Bake.Surface.VertexCount];
             for (int insect = 0; insect < 2; insect++)
             {

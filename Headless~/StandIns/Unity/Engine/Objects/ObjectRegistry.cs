@@ -7,7 +7,10 @@ namespace UnityEngine;
 internal static class ObjectRegistry
 {
     private static readonly object s_Gate = new();
-    private static readonly SortedDictionary<int, Object> s_Alive = [];
+    private static readonly Dictionary<int, Object> s_Alive = [];
+
+    // A scene has many objects of many types, and is asked for those of one all the time.
+    private static readonly Dictionary<Type, SortedDictionary<int, Object>> s_ByType = [];
     private static int s_Made;
 
     public static int Add(Object made)
@@ -16,6 +19,9 @@ internal static class ObjectRegistry
         {
             int id = ++s_Made;
             s_Alive.Add(id, made);
+            if (!s_ByType.TryGetValue(made.GetType(), out SortedDictionary<int, Object> alike))
+                s_ByType.Add(made.GetType(), alike = []);
+            alike.Add(id, made);
             return -2 * id;
         }
     }
@@ -23,7 +29,11 @@ internal static class ObjectRegistry
     public static void Remove(Object destroyed)
     {
         lock (s_Gate)
-            s_Alive.Remove(destroyed.GetInstanceID() / -2);
+        {
+            int id = destroyed.GetInstanceID() / -2;
+            if (s_Alive.Remove(id))
+                s_ByType[destroyed.GetType()].Remove(id);
+        }
     }
 
     /// <summary>The living object with an instance's number; null for none.</summary>
@@ -36,16 +46,25 @@ internal static class ObjectRegistry
     /// <summary>All living objects of a type, oldest first.</summary>
     public static List<T> Find<T>(Type type, Predicate<T> chosen = null) where T : Object
     {
-        var found = new List<T>();
+        var found = new List<(int Id, T Object)>();
+        int types = 0;
         lock (s_Gate)
         {
-            foreach (Object o in s_Alive.Values)
+            foreach ((Type kind, SortedDictionary<int, Object> alike) in s_ByType)
             {
-                if (type.IsInstanceOfType(o) && o is T t && (chosen == null || chosen(t)))
-                    found.Add(t);
+                if (alike.Count == 0 || !type.IsAssignableFrom(kind))
+                    continue;
+                types++;
+                foreach ((int id, Object o) in alike)
+                {
+                    if (o is T t && (chosen == null || chosen(t)))
+                        found.Add((id, t));
+                }
             }
         }
 
-        return found;
+        if (types > 1)
+            found.Sort((a, b) => a.Id.CompareTo(b.Id));
+        return found.ConvertAll(one => one.Object);
     }
 }
