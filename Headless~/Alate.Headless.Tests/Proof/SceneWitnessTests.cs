@@ -135,7 +135,7 @@ public sealed class SceneWitnessTests : PlayFixture
         Eye();
         Witness(0.05f).Folder = "";
         yield return Frames(10);
-        SceneAccount account = SceneAccount.Read(Application.persistentDataPath, "Meadow");
+        var account = SceneAccount.Read(Application.persistentDataPath, "Meadow");
         Directory.Delete(Application.persistentDataPath, true);
         Assert.That(account?.pictures, Is.EqualTo(1));
         Assert.That(Directory.GetFiles(m_Folder), Is.Empty);

@@ -1,5 +1,4 @@
 using System.Collections;
-using Alate.Catalogue;
 using Alate.Flight;
 using NUnit.Framework;
 using Unity.Mathematics;
