@@ -36,7 +36,7 @@ namespace Alate.Showcase
         private PointerFrame m_Pointer;
         private Vector2 m_Place;
         private Rect m_Area;
-        private float m_Scale = 1f, m_Next;
+        private float m_Scale = 1f, m_Next, m_Row;
         private int m_Control, m_Columns, m_Column, m_Frame = -1;
         private bool m_Pressed, m_Released, m_WasDown;
 
@@ -85,9 +85,10 @@ namespace Alate.Showcase
                 s_HeldPanel = null;
             if (!s_Drawn.Contains(this))
                 s_Drawn.Add(this);
-            s_Drawn.RemoveAll(panel => panel.m_Frame < m_Frame - 1 || panel.m_Frame > m_Frame);
+            s_Drawn.RemoveAll(panel => panel.m_Frame < m_Frame - 1);
             m_Control = m_Columns = m_Column = 0;
             m_Next = k_Margin + k_Padding;
+            m_Row = 0f;
             GUI.matrix = Matrix4x4.Scale(new Vector3(m_Scale, m_Scale, 1f));
             GUI.Box(m_Area, "");
             return true;
@@ -96,6 +97,7 @@ namespace Alate.Showcase
         /// <summary>Ends the panel.</summary>
         public void End()
         {
+            EndRow();
             m_Area = new Rect(k_Margin, k_Margin, m_Width, m_Next - k_Margin - k_Gap + k_Padding);
             if (m_Released && s_HeldPanel == this)
                 s_HeldPanel = null;
@@ -104,7 +106,11 @@ namespace Alate.Showcase
 
         /// <summary>Puts the next controls side by side.</summary>
         /// <param name="columns">Number of controls.</param>
-        public void Row(int columns) => (m_Columns, m_Column) = (columns, 0);
+        public void Row(int columns)
+        {
+            EndRow();
+            m_Columns = columns;
+        }
 
         /// <summary>Writes a text, on as many lines as it needs.</summary>
         public void Label(string text)
@@ -165,6 +171,14 @@ namespace Alate.Showcase
             return chosen;
         }
 
+        // Frames are counted from the beginning of each play, and statics may outlive it.
+        [RuntimeInitializeOnLoadMethod(RuntimeInitializeLoadType.SubsystemRegistration)]
+        private static void Forget()
+        {
+            s_Drawn.Clear();
+            s_HeldPanel = null;
+        }
+
         private float NextWidth => (m_Width - 2f * k_Padding - Mathf.Max(0, m_Columns - 1) * k_Gap) / Mathf.Max(1, m_Columns);
 
         private Rect Next(float height)
@@ -172,11 +186,18 @@ namespace Alate.Showcase
             float width = NextWidth;
             var place = new Rect(k_Margin + k_Padding + m_Column * (width + k_Gap), m_Next, width, height);
             m_Control++;
-            if (m_Columns > 0 && ++m_Column < m_Columns)
-                return place;
-            m_Columns = m_Column = 0;
-            m_Next += height + k_Gap;
+            m_Row = Mathf.Max(m_Row, height + k_Gap);
+            if (++m_Column >= m_Columns)
+                EndRow();
             return place;
+        }
+
+        // A row is as high as its highest control.
+        private void EndRow()
+        {
+            m_Columns = m_Column = 0;
+            m_Next += m_Row;
+            m_Row = 0f;
         }
 
         // A control that was pressed is held until it is let go, wherever the pointer is.

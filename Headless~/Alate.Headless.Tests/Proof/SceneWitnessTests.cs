@@ -98,6 +98,49 @@ public sealed class SceneWitnessTests : PlayFixture
             Is.True, "taken by a camera that is not the main one");
     }
 
+    // The stand-in reads nothing beyond what was drawn, and tells so; a picture is an object that must be ended.
+    [UnityTest]
+    public IEnumerator APicture_IsReadWithinWhatWasDrawn_AndEndsWithItsFile()
+    {
+        int textures = Resources.FindObjectsOfTypeAll<Texture>().Length;
+        Eye();
+        Witness(0.05f, 0.1f);
+        yield return Frames(20);
+        Assert.That(SceneWitness.IsDone, Is.True);
+        Assert.That(SceneAccount.Read(m_Folder, "Meadow").errors, Is.Zero);
+        LogAssert.NoUnexpectedReceived();
+        Assert.That(Resources.FindObjectsOfTypeAll<Texture>(), Has.Length.EqualTo(textures));
+    }
+
+    [UnityTest]
+    public IEnumerator AfterItsEnd_NothingIsTakenOrCounted()
+    {
+        Eye();
+        SceneWitness witness = Witness(0.05f);
+        yield return Frames(10);
+        var account = (SceneAccount)typeof(SceneWitness).GetField("m_Account", BindingFlags.NonPublic | BindingFlags.Instance)
+            .GetValue(witness);
+        (int frames, int pictures) = (account.frames, account.pictures);
+        string[] files = Directory.GetFiles(m_Folder);
+        yield return Frames(10);
+        Assert.That((account.frames, account.pictures), Is.EqualTo((frames, pictures)));
+        Assert.That(Directory.GetFiles(m_Folder), Is.EquivalentTo(files));
+    }
+
+    // Without a folder its files go where a game may write.
+    [UnityTest]
+    public IEnumerator WithoutAFolder_ItWritesWhereAGameMay()
+    {
+        Directory.CreateDirectory(Application.persistentDataPath);
+        Eye();
+        Witness(0.05f).Folder = "";
+        yield return Frames(10);
+        var account = SceneAccount.Read(Application.persistentDataPath, "Meadow");
+        Directory.Delete(Application.persistentDataPath, true);
+        Assert.That(account?.pictures, Is.EqualTo(1));
+        Assert.That(Directory.GetFiles(m_Folder), Is.Empty);
+    }
+
     [UnityTest]
     public IEnumerator ASecondWitness_IsNotDoneFromTheStart_AndOneThatIsOffCountsNoErrors()
     {

@@ -185,6 +185,52 @@ public sealed class PointerReaderTests : PlayFixture
         Input.Release((onPad ? KeyCode.Keypad0 : KeyCode.Alpha0) + digit);
     }
 
+    // Behind 9 come other signs, which are no numbers.
+    [UnityTest]
+    public IEnumerator KeysBehindNine_AreNoNumbers([Values(KeyCode.Alpha0, KeyCode.Keypad0)] KeyCode nought)
+    {
+        KeyCode behind = nought + 10;
+        Input.Press(behind);
+        yield return null;
+        Assert.That(Input.GetKeyDown(behind));
+        Assert.That(PointerReader.Now.digit, Is.EqualTo(-1));
+        Input.Release(behind);
+    }
+
+    [UnityTest]
+    public IEnumerator AFingerThatWasLifted_HoldsNothing(
+        [Values(TouchPhase.Ended, TouchPhase.Canceled, TouchPhase.Began)] TouchPhase phase)
+    {
+        Input.Fingers.Add(new Touch { position = new Vector2(10f, 20f), phase = phase });
+        Input.HoldMouse(0, true);
+        Input.HoldMouse(1, true);
+        yield return null;
+        PointerFrame now = PointerReader.Now;
+        bool isDown = phase == TouchPhase.Began;
+        Assert.That((now.fingers, now.isDown, now.isOtherDown), Is.EqualTo((isDown ? 1 : 0, isDown, false)));
+    }
+
+    [UnityTest]
+    public IEnumerator EitherKey_Shifts([Values(KeyCode.LeftShift, KeyCode.RightShift, KeyCode.LeftAlt)] KeyCode key)
+    {
+        Input.Press(key);
+        yield return null;
+        Assert.That(PointerReader.Now.isShifted, Is.EqualTo(key != KeyCode.LeftAlt));
+        Input.Release(key);
+    }
+
+    [UnityTest]
+    public IEnumerator InAFrame_ThePointerIsReadOnce()
+    {
+        yield return null;
+        Input.MoveMouse(new Vector2(1f, 2f));
+        PointerFrame before = PointerReader.Now;
+        Input.MoveMouse(new Vector2(3f, 4f));
+        Assert.That(PointerReader.Now.position, Is.EqualTo(before.position));
+        yield return null;
+        Assert.That(PointerReader.Now.position.x, Is.EqualTo(3f));
+    }
+
     [UnityTest]
     public IEnumerator ANotchOfTheWheel_IsOne_WhereThePackagePassesOnThatOfWindows([Values(120f, -240f)] float units)
     {

@@ -32,7 +32,9 @@ namespace Alate.Tests.Wake
                         field.Begin(sheet.Point(row, j));
                         foreach (float3 corner in new[]
                             { sheet.Point(row, j + 1), sheet.Point(row + 1, j + 1), sheet.Point(row + 1, j), sheet.Point(row, j) })
+                        {
                             field.Add(corner, sheet.Circulation(row, j), 1e-6f);
+                        }
                     }
                 }
             });

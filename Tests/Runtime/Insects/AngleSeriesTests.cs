@@ -20,6 +20,24 @@ namespace Alate.Tests
                 Assert.That(read.At(turns), Is.EqualTo(m_Series.At(turns)).Within(1e-3f), $"at {turns}");
         }
 
+        // As many harmonics as a table of its length can tell; of an even one the last has only its cosine.
+        [Test]
+        public void ATable_IsMetAtAllItsPlaces()
+        {
+            var random = new System.Random(3);
+            for (int count = 3; count <= 17; count++)
+            {
+                float[] table = Enumerable.Range(0, count).Select(_ => 90f * (float)random.NextDouble() - 40f).ToArray();
+                var read = AngleSeries.FromTable(table);
+                Assert.That(read.harmonics, Has.Length.EqualTo(count / 2));
+                Assert.That(read.mean, Is.EqualTo(table.Average()).Within(1e-4f));
+                for (int n = 0; n < count; n++)
+                    Assert.That(read.At((float)n / count), Is.EqualTo(table[n]).Within(1e-3f), $"{n} of {count}");
+            }
+
+            Assert.That(AngleSeries.FromTable(new float[60]).harmonics, Has.Length.EqualTo(8));
+        }
+
         [Test]
         public void ATable_OfTwoValues_OrWithAHole_IsRefused()
         {

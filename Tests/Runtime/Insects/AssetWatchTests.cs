@@ -64,6 +64,17 @@ namespace Alate.Tests
         }
 
         [Test]
+        public void WhatNobodyLookedAt_ForSixHundredRounds_IsLetGoInTheNext()
+        {
+            PresetValues values = m_Watch.Of(m_Preset);
+            for (int round = 0; round < 600; round++)
+                m_Watch.EndRound();
+            Assert.That((m_Watch.Count, values.IsForgotten), Is.EqualTo((1, false)));
+            m_Watch.EndRound();
+            Assert.That((m_Watch.Count, values.IsForgotten), Is.EqualTo((0, true)));
+        }
+
+        [Test]
         public void NoPreset_AndADestroyedOne_AreAMonarch_AndNotWatched()
         {
             PresetValues none = m_Watch.Of(null);

@@ -44,6 +44,38 @@ namespace Alate.Tests
             Assert.That(Of().Matches(plain), Is.True);
         }
 
+        // One that hangs elsewhere is laid out by where both are.
+        [Test]
+        public void BesideItsInsect_AWingIsWhereTheWorldHasIt()
+        {
+            AutomaticSkeleton plain = Of();
+            m_Wing.transform.SetParent(null, false);
+            Assert.That(Of().Matches(plain), Is.True);
+            m_Insect.transform.position = new Vector3(1f, 2f, 3f);
+            Assert.That(Of().Matches(plain), Is.False);
+            m_Wing.transform.position = new Vector3(1f, 2f, 3f);
+            Assert.That(Of().Matches(plain), Is.True, "both moved");
+            m_Wing.transform.SetParent(m_Insect.transform, true);
+        }
+
+        // The hinge is at the end that is nearer to the insect's middle; its upper side is above.
+        [TestCase(-0.1f)]
+        [TestCase(1.2f)]
+        public void TheSkeleton_HingesTowardsTheInsect_AndHasItsUp(float body)
+        {
+            m_Wing.transform.localPosition = new Vector3(-body, 0f, 0.1f);
+            SurfaceMesh surface = TestWings.Rectangle();
+            foreach (bool turned in new[] { false, true })
+            {
+                m_Wing.transform.localRotation = Quaternion.Euler(turned ? 180f : 0f, 0f, 0f);
+                WingSkeleton skeleton = Of().Fit(surface).Skeleton;
+                (Vector3 hinge, Vector3 up) = (skeleton.Hinge, skeleton.UpAxis);
+                Object.DestroyImmediate(skeleton);
+                Assert.That(Mathf.Abs(hinge.x - body), Is.LessThan(0.5f));
+                Assert.That(up.y, turned ? Is.LessThan(-0.9f) : Is.GreaterThan(0.9f));
+            }
+        }
+
         private AutomaticSkeleton Of() => new AutomaticSkeleton(m_Insect.transform, m_Wing.transform);
     }
 }

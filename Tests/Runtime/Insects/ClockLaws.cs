@@ -47,6 +47,21 @@ namespace Alate.Tests
                 Assert.That(clocks.times[clock].moved, Is.EqualTo(clock != 1), "what nobody draws has still moved");
         }
 
+        // A quarter of a second; of what is beyond it, one step is made up for later.
+        [Test]
+        public void AHitch_IsFifteenSteps()
+        {
+            var clocks = new Clocks();
+            clocks.Frame(1f, 7f, s_None);
+            Assert.That(clocks.times[WingUpdateMode.Update].count, Is.EqualTo(15));
+            Assert.That(clocks.times[WingUpdateMode.UnscaledTime].count, Is.EqualTo(15));
+            clocks.Frame(0f, 0f, s_None);
+            Assert.That(clocks.times[WingUpdateMode.Update].count, Is.Zero);
+            clocks.Frame(1f / 60f, 2f / 60f, s_None);
+            Assert.That(clocks.times[WingUpdateMode.Update].count, Is.EqualTo(2));
+            Assert.That(clocks.times[WingUpdateMode.UnscaledTime].count, Is.EqualTo(3));
+        }
+
         [TestCase(WingUpdateMode.FixedUpdate, true, false)]
         [TestCase(WingUpdateMode.Update, false, true)]
         [TestCase(WingUpdateMode.UnscaledTime, false, true)]

@@ -153,6 +153,23 @@ namespace Alate.Tests
             Assert.That(sampler.Velocity.y, Is.EqualTo(100f).Within(0.1f));
         }
 
+        // Half a second at most, however coarse the places are: 32 steps of a 64th.
+        [Test]
+        public void AVelocity_IsThatOfHalfASecond_WhereverItIs([Values(0, 1, 2)] int axis, [Values(1e6f, -1e6f)] float place)
+        {
+            MotionSampler sampler = default;
+            for (int k = 0; k <= 32; k++)
+            {
+                Assert.That(sampler.Velocity, Is.EqualTo(Vector3.zero), $"step {k}");
+                Vector3 at = default;
+                at[axis] = place;
+                at[(axis + 1) % 3] = k;
+                sampler.Sample(at, Quaternion.identity, 1f / 64f, 1e-3f, 1e6f, k_Turn);
+            }
+
+            Assert.That(sampler.Velocity[(axis + 1) % 3], Is.EqualTo(64f).Within(1e-3f));
+        }
+
         private static bool Sample(ref MotionSampler sampler, int step, bool negated)
         {
             Quaternion rotation = Rotation(step);

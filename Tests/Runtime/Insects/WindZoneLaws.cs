@@ -1,7 +1,9 @@
 using System.Collections.Generic;
+using System.Text.RegularExpressions;
 using NUnit.Framework;
 using Unity.Mathematics;
 using UnityEngine;
+using UnityEngine.TestTools;
 
 namespace Alate.Tests
 {
@@ -114,6 +116,60 @@ namespace Alate.Tests
             Assert.That(math.length(At(new float3(0.1f, 0f, 0f), 0f)), Is.Zero);
             point.radius = -2f;
             Assert.That(math.length(At(new float3(0.1f, 0f, 0f), 0f)), Is.Zero);
+        }
+
+        // Two waves of which one is 2.414 times as fast, at 3 radians a second and 0.2 a unit: a third of the wind at turbulence 1.
+        [Test]
+        public void Gusts_AreTheSumOfTwoWaves([Values(0.5f, 1f)] float turbulence)
+        {
+            Zone(WindZoneMode.Directional, 6f).windTurbulence = turbulence;
+            for (int k = 0; k < 20; k++)
+            {
+                float time = 0.37f * k, phase = 3f * time + 0.2f * (k - 2f * k + 5f);
+                float gust = 0.5f * (math.sin(phase) + math.sin(2.414f * phase + 1.3f));
+                var place = new float3(k, -2f * k, 5f);
+                Assert.That(At(place, time).z, Is.EqualTo(6f * (1f + turbulence / 3f * gust)).Within(1e-3f), $"at {time} s");
+            }
+        }
+
+        [Test]
+        public void ANumberBeyondAMillion_IsRefused([Values(0, 1, 2, 3)] int field, [Values(1e6f, -1e6f)] float most)
+        {
+            WindZone zone = Zone(WindZoneMode.Directional, 2f);
+            var zones = new WindZones();
+            Set(0.99f);
+            zones.Read(0f);
+            LogAssert.NoUnexpectedReceived();
+            LogAssert.Expect(LogType.Warning, new Regex("'wind': a wind zone of main wind .* is refused"));
+            Set(1.01f);
+            zones.Read(0f);
+            zones.Read(0f);
+            LogAssert.NoUnexpectedReceived();
+            float3 wind = zones.At(default);
+            Set(0.99f);
+            zones.Read(0f);
+            Assert.That(wind, Is.EqualTo(zones.At(default)), "the last good one counts");
+
+            void Set(float share)
+            {
+                float value = share * most;
+                (zone.windMain, zone.windPulseMagnitude) = (field == 0 ? value : 2f, field == 1 ? value : 0f);
+                (zone.windPulseFrequency, zone.windTurbulence) = (field == 2 ? value : 0f, field == 3 ? value : 0f);
+            }
+        }
+
+        [Test]
+        public void AZoneThatNeverHadGoodNumbers_DoesNotBlow([Values] bool byRadius)
+        {
+            WindZone zone = Zone(WindZoneMode.Spherical, byRadius ? 2f : float.NaN);
+            zone.radius = byRadius ? float.PositiveInfinity : 10f;
+            var zones = new WindZones();
+            LogAssert.Expect(LogType.Warning, new Regex("'wind': a wind zone of .* is refused"));
+            zones.Read(0f);
+            Assert.That(zones.At(new float3(0f, 0f, 1f)), Is.EqualTo(default(float3)));
+            (zone.windMain, zone.radius) = (2f, 10f);
+            zones.Read(0f);
+            Assert.That(zones.At(new float3(0f, 0f, 1f)).z, Is.EqualTo(1.8f).Within(1e-5f));
         }
 
         private static float3 At(float3 place, float time)

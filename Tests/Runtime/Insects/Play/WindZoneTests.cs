@@ -66,6 +66,28 @@ namespace Alate.Tests.Play
             Assert.That(most, Is.LessThan(15f));
         }
 
+        [UnityTest]
+        public IEnumerator AfterSomethingCame_ZonesAreLookedFor_OnceASecondHasPassed()
+        {
+            var zones = new WindZones();
+            zones.Read(0f);
+            Zone(WindZoneMode.Directional, 3f);
+            zones.Invalidate();
+            yield return Frames(57);
+            zones.Read(0f);
+            Assert.That(math.length(zones.At(default)), Is.Zero);
+            yield return Frames(5);
+            zones.Read(0f);
+            Assert.That(math.length(zones.At(default)), Is.EqualTo(3f).Within(1e-5f));
+            Zone(WindZoneMode.Directional, 4f);
+            yield return Frames(70);
+            zones.Read(0f);
+            Assert.That(math.length(zones.At(default)), Is.EqualTo(3f).Within(1e-5f), "nobody has told that one came");
+            zones.Invalidate();
+            zones.Read(0f);
+            Assert.That(math.length(zones.At(default)), Is.EqualTo(7f).Within(1e-5f));
+        }
+
         private WindZone Zone(WindZoneMode mode, float main)
         {
             WindZone zone = Keep(new GameObject("wind")).AddComponent<WindZone>();

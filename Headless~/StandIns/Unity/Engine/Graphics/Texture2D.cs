@@ -77,6 +77,14 @@ public sealed class Texture2D : Texture
     public void ReadPixels(Rect source, int destX, int destY)
     {
         CheckReadable();
+        (int across, int up) = RenderTexture.active is { } from ? (from.width, from.height) : (Screen.width, Screen.height);
+        if (source.xMin < 0f || source.yMin < 0f || source.xMax > across || source.yMax > up
+            || destX + source.width > width || destY + source.height > height)
+        {
+            Debug.LogError("Reading pixels out of bounds.");
+            return;
+        }
+
         Array.Fill(_pixels, Color.black);
     }
 

@@ -31,6 +31,7 @@ public partial class GUI
     {
         if (GuiPage.Needed != null && position.xMax > Screen.width || position.yMax > Screen.height)
             throw new System.InvalidOperationException($"The box at {position} is not on the screen.");
+        (GuiPage.Needed as ScreenPage)?.Boxes.Add(position);
     }
 
     public static void Box(Rect position, string text, GUIStyle style) => throw Absent.Gui;

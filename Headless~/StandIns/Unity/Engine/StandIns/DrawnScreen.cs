@@ -19,6 +19,9 @@ public static class DrawnScreen
     /// <summary>Controls of the last frame, in the order in which they were drawn.</summary>
     public static IReadOnlyList<DrawnControl> Controls => s_Page.Controls;
 
+    /// <summary>Places of the boxes of the last frame, in the order in which they were drawn.</summary>
+    public static IReadOnlyList<Rect> Boxes => s_Page.Boxes;
+
     /// <summary>All texts of the last frame, joined.</summary>
     public static string Text => string.Join("\n", Controls.Select(control => control.Text));
 

@@ -17,6 +17,9 @@ internal sealed class ScreenPage : IGuiPage
 
     public List<DrawnControl> Controls { get; } = [];
 
+    /// <summary>Places of boxes, which are behind the controls.</summary>
+    public List<Rect> Boxes { get; } = [];
+
     /// <summary>Kinds of the controls whose places GUILayout found.</summary>
     public List<ControlKind> LaidOut { get; } = [];
 
