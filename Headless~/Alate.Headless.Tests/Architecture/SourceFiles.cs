@@ -49,7 +49,7 @@ namespace Alate.Tests.Architecture
             return files;
         }
 
-        /// <summary>What stands before a dot in the code of a file.</summary>
+        /// <summary>Words that stand before a dot in the code of a file.</summary>
         public static IReadOnlyList<string> NamedIn(string file)
         {
             if (!s_Named.TryGetValue(file, out string[] known))

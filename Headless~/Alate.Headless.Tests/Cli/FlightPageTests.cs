@@ -28,6 +28,8 @@ namespace Alate.Tests.Cli
             Compare("flights beside measurements", FlightFigures.Measured(), "");
 
         [Test]
+        [Explicit]
+        [Category("Long")]
         public void TheSlowestDragonflyBesideMeasurements_IsThatOfThePage() =>
             Compare("the dragonfly beside measurements", FlightFigures.MeasuredDragonflies([MeasuredDragonfly.Flights[0]]), "", 3);
 
