@@ -8,10 +8,7 @@ namespace Alate.Cli;
 /// </summary>
 internal static class InflowJson
 {
-    /// <summary>Harmonics that are kept: with the mean, 15 numbers a wing.</summary>
-    public const int Harmonics = 2;
-
-    public static void Write(WakeFlight flight, IReadOnlyList<WakeMoment> beat, Stream stream)
+    public static void Write(WakeFlight flight, FlightInflow inflow, Stream stream)
     {
         using var json = new Utf8JsonWriter(stream, new JsonWriterOptions { Indented = true });
         json.WriteStartObject();
@@ -19,17 +16,16 @@ internal static class InflowJson
         json.WriteString("species", flight.Flight.Insect.Name);
         json.WriteNumber("frequency_hz", Math.Round(1.0 / flight.Period, 6));
         json.WriteStartArray("wings");
-        for (int k = 0; k < flight.Wings.Count; k++)
+        foreach (RecordedWing wing in flight.Wings)
         {
+            WingInflow series = inflow.Wings[(wing.Wing.Name, wing.Placement.Side)];
             json.WriteStartObject();
-            json.WriteString("wing", WakeTable.NameOf(flight.Wings[k]));
-            Vector(json, "mean_m_s", Part(beat, k, 0, Math.Cos) / 2f);
-            for (int harmonic = 1; harmonic <= Harmonics; harmonic++)
-            {
-                Vector(json, $"cosine_{harmonic}_m_s", Part(beat, k, harmonic, Math.Cos));
-                Vector(json, $"sine_{harmonic}_m_s", Part(beat, k, harmonic, Math.Sin));
-            }
-
+            json.WriteString("wing", WakeTable.NameOf(wing));
+            Vector(json, "mean_m_s", series.mean);
+            Vector(json, "cosine_1_m_s", series.cosine1);
+            Vector(json, "sine_1_m_s", series.sine1);
+            Vector(json, "cosine_2_m_s", series.cosine2);
+            Vector(json, "sine_2_m_s", series.sine2);
             json.WriteEndObject();
         }
 
@@ -37,15 +33,6 @@ internal static class InflowJson
         json.WriteEndObject();
         json.Flush();
         stream.WriteByte((byte)'\n');
-    }
-
-    /// <summary>Part of a wing's inflow that goes with a wave: twice the mean of their product.</summary>
-    internal static float3 Part(IReadOnlyList<WakeMoment> beat, int wing, int harmonic, Func<double, double> wave)
-    {
-        float3 sum = default;
-        foreach (WakeMoment at in beat)
-            sum += (float)(2.0 * wave(2.0 * Math.PI * harmonic * at.Turns) / beat.Count) * at.Wings[wing].Inflow;
-        return sum;
     }
 
     private static void Vector(Utf8JsonWriter json, string name, float3 value)

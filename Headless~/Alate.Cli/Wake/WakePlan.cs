@@ -10,6 +10,9 @@ internal sealed record WakePlan
     /// <summary>Beats from rest; the loads are those of the last one.</summary>
     public int Beats { get; init; } = 3;
 
+    /// <summary>Flights, each but the first with the air of the wakes before replayed at the wings.</summary>
+    public int Rounds { get; init; } = 1;
+
     public int StepsPerBeat { get; init; } = 24;
 
     /// <summary>Panels along the chord; null is the method's default.</summary>

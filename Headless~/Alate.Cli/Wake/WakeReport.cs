@@ -16,20 +16,25 @@ internal static class WakeReport
         plan = plan with { RecordsAir = true, Substeps = plan.Substeps ?? k_Substeps };
         var insect = Insect.Of(plan);
         PlanRange.CheckElasticity(plan, plan.Elasticity);
-        using var flight = new TetheredFlight(plan, insect);
         string path = plan.Folder ?? Path.Combine("out", insect.Name + "-wake");
         using var folder = OutputFolder.Prepare(path, k_Table, k_Inflow);
         var terminal = new Terminal(output);
-        terminal.ShowProgress(flight.Steps + wake.Beats * wake.StepsPerBeat, (steps, stage) =>
+        using var rounds = new WakeRounds(plan, insect, wake);
+        terminal.ShowProgress(rounds.Steps * wake.Rounds, (steps, stage) =>
         {
-            FlightRecord record = flight.Run(steps);
-            stage("shedding the wake");
-            using var shed = new WakeFlight(record, wake);
-            List<WakeMoment> beat = shed.Run(done => steps(flight.Steps + done));
+            for (int round = 0; round < wake.Rounds; round++)
+            {
+                int before = round * rounds.Steps;
+                stage(wake.Rounds == 1 ? "shedding the wake" : $"round {round + 1}");
+                rounds.Run(done => steps(before + done));
+            }
+
             stage("writing");
-            folder.Write(k_Table, stream => CsvTable.Write(stream, WakeTable.Of(shed, beat)));
-            folder.Write(k_Inflow, stream => InflowJson.Write(shed, beat, stream));
-            terminal.ShowTable($"{insect.DisplayName} with its wake", WakeTable.Summary(shed, beat));
+            folder.Write(k_Table, stream => CsvTable.Write(stream, WakeTable.Of(rounds)));
+            folder.Write(k_Inflow, stream => InflowJson.Write(rounds.Wake, rounds.Found, stream));
+            terminal.ShowTable($"{insect.DisplayName} with its wake", WakeTable.Summary(rounds));
+            if (wake.Rounds > 1)
+                terminal.ShowTable("Rounds of flight and wake", WakeTable.Convergence(rounds));
         });
         folder.Commit();
         terminal.ShowFiles(path, k_Table, k_Inflow);

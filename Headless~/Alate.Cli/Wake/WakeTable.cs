@@ -10,18 +10,19 @@ internal static class WakeTable
     ];
 
     /// <summary>Rows: each wing at each step. Where the flight is symmetric the right wings alone.</summary>
-    public static IEnumerable<IReadOnlyList<string>> Of(WakeFlight flight, IReadOnlyList<WakeMoment> beat)
+    public static IEnumerable<IReadOnlyList<string>> Of(WakeRounds rounds)
     {
         yield return s_Header;
-        foreach (WakeMoment at in beat)
+        foreach (WakeMoment at in rounds.Beat)
         {
             for (int k = 0; k < at.Wings.Count; k++)
             {
                 WakeLoad load = at.Wings[k];
-                float3 still = StillLoads.Force(flight.Wings[k], at.Turns);
+                RecordedWing wing = rounds.Wake.Wings[k];
+                float3 still = StillLoads.Force(rounds.Still.Wings[rounds.Wake.Flight.Wings.ToList().IndexOf(wing)], at.Turns);
                 yield return
                 [
-                    Number(at.Turns), NameOf(flight.Wings[k]), Number(load.Force.x), Number(load.Force.y), Number(load.Force.z),
+                    Number(at.Turns), NameOf(wing), Number(load.Force.x), Number(load.Force.y), Number(load.Force.z),
                     Number(load.Power), Number(still.x), Number(still.y), Number(still.z), Number(load.Inflow.x), Number(load.Inflow.y),
                     Number(load.Inflow.z),
                 ];
@@ -29,25 +30,40 @@ internal static class WakeTable
         }
     }
 
-    /// <summary>Rows for the terminal: means of all wings over the weight, with the wake and without.</summary>
-    public static IEnumerable<IReadOnlyList<string>> Summary(WakeFlight flight, IReadOnlyList<WakeMoment> beat)
+    /// <summary>Rows for the terminal: means of all wings over the weight, with the wake and without; a row a round of several.</summary>
+    public static IEnumerable<IReadOnlyList<string>> Summary(WakeRounds rounds)
     {
-        FlightPlan plan = flight.Flight.Plan;
-        PresetSize size = flight.Flight.Wings[0].Wing.Preset.Size;
-        double weight = size.insectMass * EarthGravity.Precise;
-        float3 force = plan.ToWorld(beat.Aggregate(default(float3), (sum, at) => sum + at.Force) / beat.Count);
-        float3 still = plan.ToWorld(StillLoads.Mean(flight.Flight));
+        WakeRound still = rounds.All[0], last = rounds.All[^1];
         yield return ["", "with the wake", "without"];
-        yield return ["lift / weight", Share(force.y / weight), Share(still.y / weight)];
-        yield return ["thrust / weight", Share(force.z / weight), Share(still.z / weight)];
-        yield return ["power to the air, W/kg", Share(beat.Average(at => at.Power) / size.insectMass),
-            Share(StillLoads.Power(flight.Flight) / size.insectMass)];
+        yield return ["lift / weight", Share(last.Wake.y), Share(still.Replayed.y)];
+        yield return ["thrust / weight", Share(last.Wake.z), Share(still.Replayed.z)];
+        yield return ["power to the air, W/kg", Share(last.Power), Share(still.ReplayedPower)];
+    }
+
+    /// <summary>Rows for the terminal: what came of each round.</summary>
+    public static IEnumerable<IReadOnlyList<string>> Convergence(WakeRounds rounds)
+    {
+        yield return
+        [
+            "round", "lift / weight", "replayed", "thrust / weight", "replayed", "power, W/kg", "replayed", "change of the air, %",
+        ];
+        for (int k = 0; k < rounds.All.Count; k++)
+        {
+            WakeRound round = rounds.All[k];
+            yield return
+            [
+                $"{k + 1}", Exact(round.Wake.y), Exact(round.Replayed.y), Exact(round.Wake.z), Exact(round.Replayed.z), Share(round.Power),
+                Share(round.ReplayedPower), (100 * round.Change).ToString("0.0", CultureInfo.InvariantCulture),
+            ];
+        }
     }
 
     /// <summary>Name of a wing: its kind and its side.</summary>
     public static string NameOf(RecordedWing wing) => $"{(wing.Placement.IsLeft ? "left" : "right")} {wing.Wing.Name}";
 
     private static string Number(double value) => value.ToString("0.######E+0", CultureInfo.InvariantCulture);
+
+    private static string Exact(double value) => value.ToString("0.0000", CultureInfo.InvariantCulture).Replace('-', '−');
 
     private static string Share(double value) => value.ToString("0.00", CultureInfo.InvariantCulture).Replace('-', '−');
 }

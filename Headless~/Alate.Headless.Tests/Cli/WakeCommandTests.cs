@@ -101,6 +101,76 @@ namespace Alate.Tests.Cli
             Assert.That(wake.Wake.Failures, Is.Zero);
         }
 
+        // A stiff wing sheds the same wake whatever it meets; replayed, it has most of the wake's effect.
+        [Test]
+        public void ReplayedAtAStiffWing_TheAirActsAsTheWakeDoes()
+        {
+            var plan = new FlightPlan
+            {
+                Species = "dragonfly",
+                Column = ComparisonColumn.RigidWing,
+                Speed = 1.5,
+                RecordsAir = true,
+                Substeps = 24,
+            };
+            using var rounds = new WakeRounds(plan, Insect.Of(plan), new WakePlan { Beats = 2, Downwash = MeasuredDownwash.None });
+            rounds.Run(_ => { });
+            rounds.Run(_ => { });
+            float3 still = rounds.All[0].Replayed, replayed = rounds.All[1].Replayed, wake = rounds.All[1].Wake;
+
+            Assert.That(rounds.All[1].Change, Is.LessThan(1e-3));
+            Assert.That(math.distance(wake, rounds.All[0].Wake), Is.LessThan(1e-4f));
+            Assert.That(math.distance(replayed, wake), Is.LessThan(0.5f * math.distance(still, wake)));
+        }
+
+        // Each round is nearer to the one before.
+        [Test]
+        public void InRounds_FlightAndWakeSettle()
+        {
+            var plan = new FlightPlan
+            {
+                Species = "monarch",
+                Variant = InsectVariant.Expressive,
+                PitchDegrees = 20,
+                RecordsAir = true,
+                Substeps = 24,
+            };
+            using var rounds = new WakeRounds(
+                plan, Insect.Of(plan), new WakePlan { Beats = 2, SpanPanels = 6, StepsPerBeat = 12, Downwash = MeasuredDownwash.None });
+            int told = 0;
+            for (int round = 0; round < 3; round++)
+                rounds.Run(steps => told = steps);
+            Assert.That(told, Is.EqualTo(rounds.Steps));
+            Assert.That(rounds.All.Select(round => round.Change), Is.Ordered.Descending);
+            Assert.That(rounds.All[2].Change, Is.LessThan(0.03));
+            Assert.That(math.distance(rounds.All[2].Wake, rounds.All[1].Wake), Is.LessThan(0.02f));
+            Assert.That(rounds.Still.Wings[0].Parameters.inflow.IsSet, Is.False);
+            Assert.That(rounds.Wake.Flight.Wings[0].Parameters.inflow.IsSet, Is.True);
+        }
+
+        [Test]
+        public void AnInflow_IsMirroredToTheOtherSide_AndInWingLengths()
+        {
+            var right = new WingInflow { mean = new float3(1f, 2f, 3f), sine2 = new float3(-4f, 5f, 6f) };
+            var inflow = new FlightInflow(new Dictionary<(string, WingSide), WingInflow> { [("wing", WingSide.Right)] = right });
+            WingInflow own = inflow.Of("wing", WingSide.Right, 0.5f);
+
+            Assert.That(own.mean, Is.EqualTo(new float3(2f, 4f, 6f)));
+            Assert.That(inflow.Of("wing", WingSide.Left, 0.5f), Is.EqualTo(own), "a left wing is simulated as a right one");
+            Assert.That(inflow.Of("another", WingSide.Left, 0.5f).IsSet, Is.False);
+            var left = new FlightInflow(new Dictionary<(string, WingSide), WingInflow> { [("wing", WingSide.Left)] = right });
+            Assert.That(left.Of("wing", WingSide.Left, 1f).mean, Is.EqualTo(new float3(-1f, 2f, 3f)));
+            Assert.That(left.Of("wing", WingSide.Right, 1f).sine2, Is.EqualTo(new float3(4f, 5f, 6f)));
+
+            // Means count whole in the mean square, waves by half.
+            Assert.That(inflow.Size, Is.EqualTo(Math.Sqrt(14 + 0.5 * 77)).Within(1e-5));
+            Assert.That(inflow.ChangeFrom(null), Is.EqualTo(1.0));
+            Assert.That(inflow.ChangeFrom(inflow), Is.Zero);
+            FlightInflow far = inflow.Towards(new FlightInflow(inflow.Wings.ToDictionary(wing => wing.Key, wing => wing.Value * 3f)), 0.5f);
+            Assert.That(far.Wings[("wing", WingSide.Right)].mean, Is.EqualTo(new float3(2f, 4f, 6f)));
+            Assert.That(far.ChangeFrom(inflow), Is.EqualTo(0.5).Within(1e-6));
+        }
+
         [Test]
         public void WithoutSymmetry_AllWingsShed_AndAgreeWithTheMirroredOnes()
         {

@@ -35,6 +35,9 @@ namespace Alate
         private PresetKinematics m_Kinematics;
 
         [SerializeField]
+        private PresetInflow m_Inflow;
+
+        [SerializeField]
         [Range(WingParameters.MinSubsteps, WingParameters.MaxSubsteps)]
         [Tooltip("Substeps of one beat; 16. 12 is the cheapest, 480 for measurements; in fast air there are more by themselves.")]
         private int m_SubstepsPerBeat = WingParameters.DefaultSubsteps;
@@ -59,6 +62,9 @@ namespace Alate
 
         /// <summary>A motion that is prescribed in place of the drive; by default none.</summary>
         public ref PresetKinematics Kinematics => ref m_Kinematics;
+
+        /// <summary>Air that the wake has set moving at the wing; by default none.</summary>
+        public ref PresetInflow Inflow => ref m_Inflow;
 
         /// <summary>Posture of the insect that sits, with its wings folded.</summary>
         public ref PresetRest Rest => ref m_Rest;
@@ -98,6 +104,7 @@ namespace Alate
                 amplitudeScale = 1f,
                 options = m_Options,
                 kinematics = m_Kinematics.ToKinematics(),
+                inflow = m_Inflow.ToInflow(m_Size.Clamped().wingLength),
             };
             m_Beat.WriteTo(ref parameters);
             m_Wave.WriteTo(ref parameters);
@@ -123,6 +130,7 @@ namespace Alate
             m_Size = m_Size.Clamped();
             m_Stiffness = m_Stiffness.Clamped();
             m_Kinematics = m_Kinematics.Clamped();
+            m_Inflow = m_Inflow.Clamped();
         }
     }
 }

@@ -13,7 +13,8 @@ namespace Alate
         /// <summary>Adds the forces to the joints'; call after <see cref="CarriedSurface"/>.</summary>
         public static void Apply(in WingPack pack, in StepScratch scratch, in ImplicitStep step)
         {
-            SoaFloat3 body = pack.surroundings->angularVelocity, hinge = pack.surroundings->hinge;
+            SoaFloat3 body = pack.surroundings->angularVelocity, hinge = pack.surroundings->hinge,
+                wind = pack.surroundings->boundWind + pack.inflow->velocity;
             bool4 fresh = *pack.lastSubstep <= 0f;
             float4 inverse = 1f / step.length;
             for (int joint = 0; joint < pack.rig.jointCount; joint++)
@@ -28,7 +29,7 @@ namespace Alate
                 pack.normalSpeeds[joint] = speed;
 
                 // A steady stream changes its part across the surface where the surface turns.
-                SoaFloat3 stream = pack.surroundings->boundWind - SoaFloat3.Cross(body, scratch.carriedPositions[joint] + hinge);
+                SoaFloat3 stream = wind - SoaFloat3.Cross(body, scratch.carriedPositions[joint] + hinge);
                 float4 turned = SoaFloat3.Dot(stream, SoaFloat3.Cross(scratch.angularVelocity[bone], normal));
                 scratch.forces[joint] +=
                     scratch.carriedFrames[joint].c1 * ((turned - rate) * pack.parameters->numbers.airDensity * pack.rig.addedMasses[joint]);

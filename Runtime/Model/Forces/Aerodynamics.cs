@@ -18,7 +18,7 @@ namespace Alate
             CellMotion motion;
             CellSheet sheet;
             int bonesPerChain = pack.rig.jointsPerChain - 1;
-            SoaFloat3 wind = pack.surroundings->boundWind;
+            SoaFloat3 wind = pack.surroundings->boundWind + pack.inflow->velocity;
             for (int cell = 0; cell < pack.rig.cellCount; cell++)
             {
                 PatchCell* patches = pack.rig.patchCells + cell;

@@ -151,6 +151,7 @@ namespace Alate
             view.parameters = (LaneParameters*)carver.Carve<LaneParameters>(1);
             view.surroundings = (LaneSurroundings*)carver.Carve<LaneSurroundings>(1);
             view.series = (float4*)carver.Carve<float4>(WingKinematics.Count);
+            view.inflow = (LaneInflow*)carver.Carve<LaneInflow>(1);
             view.air = (LaneAir*)carver.Carve<LaneAir>(1);
             view.readings = (PackReadings*)carver.Carve<PackReadings>(1);
             view.beat = (BeatState*)carver.Carve<BeatState>(1);

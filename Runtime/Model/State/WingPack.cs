@@ -7,8 +7,8 @@ namespace Alate
     /// arrays are indexed by joint or bone, every element holds the four wings.
     /// </summary>
     /// <remarks>
-    /// 672 bytes a pack, by value in the array of the step job: a kernel finds counts and arrays of its pack with one load. Behind it lies
-    /// one block, of 15,488 bytes a wing of a monarch, each array on cache lines of its own, of which the poses within the step are the
+    /// 680 bytes a pack, by value in the array of the step job: a kernel finds counts and arrays of its pack with one load. Behind it lies
+    /// one block, of 15,632 bytes a wing of a monarch, each array on cache lines of its own, of which the poses within the step are the
     /// largest part: rendering takes any time within a step without stepping again. Every byte of the block belongs to a lane, so that a
     /// wing moves to another pack by copying each fourth float.
     /// </remarks>
@@ -34,6 +34,9 @@ namespace Alate
         /// <summary>[angle · stride + term] Series of the prescribed motion; see <see cref="WingKinematics"/>.</summary>
         public float4* series;
         public PackReadings* readings;
+
+        /// <summary>Air that the wake has set moving.</summary>
+        public LaneInflow* inflow;
 
         /// <summary>Air of the last substep.</summary>
         public LaneAir* air;
@@ -135,6 +138,7 @@ namespace Alate
         public readonly void Set(int lane, in WingParameters p)
         {
             parameters->Set(lane, p);
+            inflow->Set(lane, p.inflow);
             for (int k = 0; k < WingKinematics.Count; k++)
                 series[k][lane] = p.kinematics.At(k);
         }

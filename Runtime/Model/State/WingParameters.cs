@@ -152,6 +152,9 @@ namespace Alate
         /// </summary>
         public WingKinematics kinematics;
 
+        /// <summary>Air that the wake has set moving at the wing, beside the wind; default none. It comes and goes within a beat.</summary>
+        public WingInflow inflow;
+
         /// <summary>A monarch's wing by <see cref="ModelReading.Physical"/>.</summary>
         public static WingParameters Default
         {
@@ -182,6 +185,8 @@ namespace Alate
             clamped.options = options.Defined();
             if (kinematics.FindProblem() != null)
                 clamped.kinematics = default;
+            if (inflow.FindProblem() != null)
+                clamped.inflow = default;
             return clamped;
         }
 
@@ -195,7 +200,8 @@ namespace Alate
                     return false;
             }
 
-            return substepsPerBeat == other.substepsPerBeat && options.Equals(other.options) && kinematics.Equals(other.kinematics);
+            return substepsPerBeat == other.substepsPerBeat && options.Equals(other.options) && kinematics.Equals(other.kinematics)
+                && inflow.Equals(other.inflow);
         }
 
         /// <summary>
@@ -218,7 +224,7 @@ namespace Alate
                     $"substepsPerBeat is {substepsPerBeat}; it must be between {MinSubsteps} and {MaxSubsteps}.");
             }
 
-            return options.FindProblem() ?? kinematics.FindProblem();
+            return options.FindProblem() ?? kinematics.FindProblem() ?? inflow.FindProblem();
         }
 
         /// <summary>Every number, in the order of the fields.</summary>

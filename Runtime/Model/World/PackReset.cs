@@ -100,6 +100,7 @@ namespace Alate
             }
 
             *pack.lastSubstep = math.select(*pack.lastSubstep, 0f, lanes);
+            WakeInflow.Reset(pack, lanes);
 
             JointFrames.Evaluate(pack, scratch, scratch.pose);
             int slots = WingPack.PoseSlots * pack.rig.jointCount;

@@ -114,6 +114,7 @@ namespace Alate
         public static void Substep(in WingPack pack, in StepScratch scratch, float4 h)
         {
             BeatClock.Advance(ref *pack.beat, *pack.parameters, *pack.surroundings, pack.options.cycleChange, h);
+            WakeInflow.Advance(pack, h);
             DelayedWaves.Evaluate(pack, scratch);
             DrivenPose.Evaluate(pack, scratch);
             var step = ImplicitStep.Of(pack, h);
@@ -152,7 +153,8 @@ namespace Alate
         private static float4 AirSpeed(in WingPack pack)
         {
             float4 reach = 1f + math.sqrt(SoaFloat3.LengthSquared(pack.surroundings->hinge));
-            return StrongestWind.Speed(pack) + math.sqrt(SoaFloat3.LengthSquared(pack.surroundings->angularVelocity)) * reach;
+            return StrongestWind.Speed(pack) + math.sqrt(SoaFloat3.LengthSquared(pack.inflow->velocity))
+                + math.sqrt(SoaFloat3.LengthSquared(pack.surroundings->angularVelocity)) * reach;
         }
 
         private static float4 SubstepsPerBeat(in WingPack pack)

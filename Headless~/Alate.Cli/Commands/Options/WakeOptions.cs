@@ -24,6 +24,9 @@ internal sealed class WakeOptions
     private readonly Option<int?> m_Beats = Numbers.OptionalCount(
         "--beats", "N", 1, 50, "Beats from rest; the last one is written. [default: 3]");
 
+    private readonly Option<int?> m_Rounds = Numbers.OptionalCount(
+        "--rounds", "N", 1, 20, "Flights, each with the air of the wakes before it replayed at the wings. [default: 1]");
+
     private readonly Option<int?> m_Steps = Numbers.OptionalCount("--steps", "N", 4, 1000, "Steps of a beat. [default: 24]");
 
     private readonly Option<int?> m_Across = Numbers.OptionalCount(
@@ -40,7 +43,7 @@ internal sealed class WakeOptions
 
     public void AddTo(Command command)
     {
-        foreach (Option option in new Option[] { m_Method, m_Downwash, m_Beats, m_Steps, m_Across, m_Along, m_Keep, m_Ground })
+        foreach (Option option in new Option[] { m_Method, m_Downwash, m_Beats, m_Rounds, m_Steps, m_Across, m_Along, m_Keep, m_Ground })
             command.Options.Add(option);
     }
 
@@ -59,6 +62,7 @@ internal sealed class WakeOptions
             Method = method,
             Downwash = parsed.GetValue(m_Downwash) ?? usual.Downwash,
             Beats = parsed.GetValue(m_Beats) ?? usual.Beats,
+            Rounds = parsed.GetValue(m_Rounds) ?? usual.Rounds,
             StepsPerBeat = parsed.GetValue(m_Steps) ?? usual.StepsPerBeat,
             ChordPanels = parsed.GetValue(m_Across),
             SpanPanels = parsed.GetValue(m_Along) ?? usual.SpanPanels,

@@ -41,6 +41,9 @@ internal sealed record FlightPlan
     /// <summary>Air that the wings draw along; null for none.</summary>
     public InducedFlow Induced { get; init; }
 
+    /// <summary>Air that the wake sets moving; null for none.</summary>
+    public FlightInflow Inflow { get; init; }
+
     /// <summary>True where the air that the wings carry along across their surface counts.</summary>
     public bool AddedMass { get; init; }
 
@@ -131,6 +134,15 @@ internal sealed record FlightPlan
             parameters.jointLimit = 0f;
         string problem = parameters.FindProblem();
         return problem == null ? parameters : throw new UserException(problem);
+    }
+
+    /// <summary>Parameters of a wing on one side, with the air that its wake sets moving.</summary>
+    /// <exception cref="UserException">They leave the range that the model takes.</exception>
+    public WingParameters ParametersOf(WingPreset preset, string name, WingSide side)
+    {
+        WingParameters parameters = ParametersOf(preset);
+        parameters.inflow = Inflow?.Of(name, side, preset.WingLength) ?? default;
+        return parameters;
     }
 
     /// <summary>Returns this flight by version 0.1 at its defaults.</summary>

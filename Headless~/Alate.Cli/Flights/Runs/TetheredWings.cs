@@ -51,7 +51,8 @@ internal sealed class TetheredWings : IDisposable
     /// <exception cref="UserException">A parameter is out of range; the wings keep theirs.</exception>
     public void Change(FlightPlan plan)
     {
-        List<WingParameters> parameters = m_Wings.ConvertAll(wing => plan.ParametersOf(wing.Wing.Preset));
+        List<WingParameters> parameters = m_Wings.ConvertAll(wing =>
+            plan.ParametersOf(wing.Wing.Preset, wing.Wing.Name, wing.Placement.Side));
         m_Plan = plan;
         for (int k = 0; k < m_Wings.Count; k++)
         {
@@ -78,13 +79,13 @@ internal sealed class TetheredWings : IDisposable
 
     private void Add(InsectWing wing)
     {
-        WingParameters parameters = m_Plan.ParametersOf(wing.Preset);
         WingRig rig = Bake(wing);
         float3[] rest = Array.ConvertAll(wing.Surface.positions, position => rig.Frame.ToWing(position));
         BeatMeasurement measurement = Measurement(rest, wing.Surface);
         foreach (WingSide side in new[] { WingSide.Right, WingSide.Left })
         {
             WingMount placement = wing.PlacementOf(rig.Frame, side);
+            WingParameters parameters = m_Plan.ParametersOf(wing.Preset, wing.Name, side);
             m_Handles.Add(World.Add(rig, parameters, Surroundings(wing, placement)));
             if (m_Plan.Drive is WingDrive drive)
             {
