@@ -14,8 +14,8 @@ namespace Alate.Tests.Shaders;
 
 /// <summary>
 /// Every pass of Alate/Wing that ships, compiled by glslang on includes of our own, which have the names and signatures of Unity's: with
-/// every two keywords (built-in pipeline: with each of them), and in the long tests with every keyword set. Skipped where glslang is not
-/// installed (Debian: glslang-tools).
+/// each keyword, and in the long tests with every two of URP's and with every keyword set. Skipped where glslang is not installed (Debian:
+/// glslang-tools).
 /// </summary>
 public sealed class WingShaderCompileTests
 {
