@@ -101,6 +101,23 @@ namespace Alate.Tests.Cli
             Assert.That(wake.Wake.Failures, Is.Zero);
         }
 
+        // Metres: a ground as far below as a wing is long is felt, one of twenty wing lengths below is not.
+        [Test]
+        public void AGround_IsFelt_AboutAWingLengthBelow()
+        {
+            FlightRecord record = TetheredFlight.Fly(new FlightPlan { Species = "dragonfly", Speed = 0, Substeps = 24 });
+            double length = record.Wings.Max(wing => wing.Wing.Preset.WingLength);
+            float[] lifts = [.. new double?[] { null, 20 * length, length }.Select(ground =>
+            {
+                using var wake = new WakeFlight(
+                    record, new WakePlan { Beats = 2, SpanPanels = 5, StepsPerBeat = 16, Ground = ground });
+                return wake.Run(_ => { }).Average(at => at.Force.y);
+            })];
+
+            Assert.That(lifts[1], Is.EqualTo(lifts[0]).Within(0.1).Percent);
+            Assert.That(Math.Abs(lifts[2] / lifts[0] - 1f), Is.GreaterThan(0.005f));
+        }
+
         // A stiff wing sheds the same wake whatever it meets; replayed, it has most of the wake's effect.
         [Test]
         public void ReplayedAtAStiffWing_TheAirActsAsTheWakeDoes()
