@@ -30,6 +30,43 @@ namespace Alate.Tests.Play
         }
 
         [UnityTest]
+        public IEnumerator AWantedHeading_ComesBack_AndIsKeptInDegrees()
+        {
+            InsectFlight flight = Hatch();
+            flight.Heading = 1.2f;
+            Assert.That(flight.Heading, Is.EqualTo(1.2f).Within(1e-6f));
+            float kept = new UnityEditor.SerializedObject(flight).FindProperty("m_Heading").floatValue;
+            Assert.That(kept, Is.EqualTo(1.2f * Mathf.Rad2Deg).Within(1e-4f));
+            flight.Heading = float.NaN;
+            Assert.That(flight.Heading, Is.NaN);
+            yield break;
+        }
+
+        // Four frames a step: what is shown goes from each step's attitude to the next, and never back.
+        [UnityTest]
+        public IEnumerator BetweenTwoSteps_TheAttitudeGoesForward()
+        {
+            Time.captureDeltaTime = 0.25f * Time.fixedDeltaTime;
+            InsectFlight flight = Hatch();
+            flight.Velocity = new Vector3(0f, 0f, 0.8f);
+            yield return Frames(100);
+            var shown = new List<Quaternion>();
+            for (int frame = 0; frame < 81; frame++)
+            {
+                shown.Add(flight.transform.rotation);
+                yield return null;
+            }
+
+            float frames = 0f, steps = 0f;
+            for (int k = 1; k < shown.Count; k++)
+                frames += Quaternion.Angle(shown[k - 1], shown[k]);
+            for (int k = 4; k < shown.Count; k += 4)
+                steps += Quaternion.Angle(shown[k - 4], shown[k]);
+            Assert.That(steps, Is.GreaterThan(10f), "a monarch nods with its beat");
+            Assert.That(frames, Is.LessThan(1.5f * steps));
+        }
+
+        [UnityTest]
         public IEnumerator AMovedInsect_FliesOnFromThere()
         {
             InsectFlight flight = Hatch();

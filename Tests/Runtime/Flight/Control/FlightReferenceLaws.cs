@@ -102,6 +102,40 @@ namespace Alate.Tests.Flight
             Assert.That(most, Is.EqualTo(acceleration).Within(1e-3f), "all of it is used, and no more");
         }
 
+        // Squares of such speeds are no numbers: the direction counts.
+        [Test]
+        public void AWantedVelocityBeyondReason_CountsByItsDirection([Values(1e20f, 1e38f)] float size)
+        {
+            FlightReference reference = Ahead(0.5f), expected = Ahead(0.5f);
+            var direction = new float3(0.6f, 0f, 0.8f);
+            for (int step = 0; step < 60; step++)
+            {
+                Step(ref reference, size * direction);
+                Step(ref expected, OuterBounds.Speed / 0.8f * direction);
+                Assert.That(math.distance(reference.Velocity, expected.Velocity), Is.LessThan(1e-5f));
+            }
+        }
+
+        // Slower it would hang at a standstill with its nose the wrong way.
+        [Test]
+        public void OneThatTurnsRound_KeepsUpSomeSpeed_UntilItLooksBack()
+        {
+            FlightReference reference = Ahead(0.6f);
+            var wanted = new float3(0.03f, 0f, -0.15f);
+            float least = float.PositiveInfinity;
+            for (int step = 0; step < 400; step++)
+            {
+                Step(ref reference, wanted);
+                float speed = math.length(reference.Velocity);
+                if (math.dot(reference.Velocity, wanted) < -0.3f * speed * math.length(wanted))
+                    least = math.min(least, speed);
+            }
+
+            Assert.That(least, Is.InRange(0.15f, 0.35f), "half of the cruising speed, with which a slow one turns, or more");
+
+            Assert.That(math.distance(reference.Velocity, wanted), Is.LessThan(0.01f));
+        }
+
         [Test]
         public void ThroughTheAir_NothingFliesFasterThanATenthBeyondItsTable([Values(-0.5f, 0f, 3f)] float wind)
         {
