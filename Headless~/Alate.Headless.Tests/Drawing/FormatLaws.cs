@@ -310,6 +310,18 @@ public sealed class FormatLaws
     }
 
     [Test]
+    public void Samples_AreThirtyTwoThousandthsOfOne_AndCutOffBeyond()
+    {
+        using var stream = new MemoryStream();
+        WavFile.Write(stream, [0f, 1f, -1f, 0.5f, 1.5f, -40f], 8000);
+        byte[] file = stream.ToArray();
+        short[] samples = [.. Enumerable.Range(0, 6).Select(k => BitConverter.ToInt16(file, 44 + 2 * k))];
+
+        Assert.That(file, Has.Length.EqualTo(44 + 12));
+        Assert.That(samples, Is.EqualTo(new short[] { 0, 32767, -32767, 16384, 32767, -32767 }));
+    }
+
+    [Test]
     public void AxesOfFiles_KeepLengthsAndTurns_AndSwapTheHand()
     {
         var random = new System.Random(4);

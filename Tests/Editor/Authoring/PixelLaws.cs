@@ -46,6 +46,16 @@ namespace Alate.Editor.Tests
         }
 
         [Test]
+        public void APart_KnowsItsBounds_InWhateverOrderItsPixelsCome()
+        {
+            var part = new PixelPart(9);
+            foreach ((int column, int row) in new[] { (3, 4), (7, 6), (8, 0), (5, 5), (4, 2) })
+                part.Add(column, row);
+            Assert.That(part.Extent, Is.EqualTo(7), "seven rows, six columns");
+            Assert.That((part.SidesReached(7), part.SidesReached(8)), Is.EqualTo((3, 2)), "right and above, and below of seven rows");
+        }
+
+        [Test]
         public void Parts_TouchBySidesOrCorners_TheLargestFirst_AndKnowTheirBounds()
         {
             PixelMask mask = Of("##....#", "..#....", "...#..#", ".....#.", ".......");
