@@ -99,7 +99,8 @@ namespace Alate.Editor
             m_Mesh = null;
         }
 
-        private void Clear()
+        /// <summary>Frees the world; there is no picture until the next one is baked.</summary>
+        public void Clear()
         {
             m_World?.Dispose();
             m_World = null;

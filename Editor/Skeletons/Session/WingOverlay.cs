@@ -20,7 +20,6 @@ namespace Alate.Editor
         private OverlayKey m_Coloured;
         private OverlayKey m_Previewed;
         private string m_InspectionRefusal;
-        private bool m_HasSurface;
 
         /// <summary>True where the wing's shape at <see cref="Phase"/> is shown.</summary>
         public bool ShowsBeat { get; set; }
@@ -32,7 +31,7 @@ namespace Alate.Editor
         public RigColourMode? Colours { get; set; }
 
         /// <summary>The wing at the phase, in the space of its mesh; null where it is not shown.</summary>
-        public Mesh BeatMesh => ShowsBeat && m_HasSurface ? m_Preview.Mesh : null;
+        public Mesh BeatMesh => ShowsBeat ? m_Preview.Mesh : null;
 
         /// <summary>The coloured wing, in the space of its mesh; null where it is not shown.</summary>
         public Mesh ColourMesh => Colours != null && Rig != null ? m_Inspection.Mesh : null;
@@ -55,13 +54,13 @@ namespace Alate.Editor
         /// <param name="hurries">While joints are dragged: weaknesses are looked for only where colours need the same work.</param>
         public void Refresh(SkeletonTarget target, IReadOnlyList<JointIndex> selected, bool hurries)
         {
-            m_HasSurface = target.HasSurface;
             Refusal = target.HasSurface ? null : target.WithoutSurface ?? "There is no mesh to show the rig on.";
             if (!target.HasSurface)
             {
                 Rig = null;
                 Problems = Array.Empty<RigProblem>();
-                m_Inspected = default;
+                m_Inspected = m_Previewed = default;
+                m_Preview.Clear();
                 return;
             }
 

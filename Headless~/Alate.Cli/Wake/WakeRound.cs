@@ -13,7 +13,7 @@ internal sealed record WakeRound(float3 Wake, float3 Replayed, double Power, dou
         PresetSize size = flight.Wings[0].Wing.Preset.Size;
         float weight = size.insectMass * (float)EarthGravity.Precise;
         float3 force = beat.Aggregate(default(float3), (sum, at) => sum + at.Force) / beat.Count;
-        return new WakeRound(flight.Plan.ToWorld(force) / weight, flight.Plan.ToWorld(StillLoads.Mean(flight)) / weight,
-            beat.Average(at => at.Power) / size.insectMass, StillLoads.Power(flight) / size.insectMass, change);
+        return new WakeRound(flight.Plan.ToWorld(force) / weight, flight.Plan.ToWorld(FlownLoads.Mean(flight)) / weight,
+            beat.Average(at => at.Power) / size.insectMass, FlownLoads.Power(flight) / size.insectMass, change);
     }
 }

@@ -13,18 +13,19 @@ internal static class WakeTable
     public static IEnumerable<IReadOnlyList<string>> Of(WakeRounds rounds)
     {
         yield return s_Header;
+        List<RecordedWing> shed = rounds.Wake.Wings, flown = [.. rounds.Wake.Flight.Wings];
+        RecordedWing[] still = [.. shed.Select(wing => rounds.Still.Wings[flown.IndexOf(wing)])];
         foreach (WakeMoment at in rounds.Beat)
         {
             for (int k = 0; k < at.Wings.Count; k++)
             {
                 WakeLoad load = at.Wings[k];
-                RecordedWing wing = rounds.Wake.Wings[k];
-                float3 still = StillLoads.Force(rounds.Still.Wings[rounds.Wake.Flight.Wings.ToList().IndexOf(wing)], at.Turns);
+                float3 without = FlownLoads.Force(still[k], at.Turns);
                 yield return
                 [
-                    Number(at.Turns), NameOf(wing), Number(load.Force.x), Number(load.Force.y), Number(load.Force.z),
-                    Number(load.Power), Number(still.x), Number(still.y), Number(still.z), Number(load.Inflow.x), Number(load.Inflow.y),
-                    Number(load.Inflow.z),
+                    Number(at.Turns), NameOf(shed[k]), Number(load.Force.x), Number(load.Force.y), Number(load.Force.z),
+                    Number(load.Power), Number(without.x), Number(without.y), Number(without.z), Number(load.Inflow.x),
+                    Number(load.Inflow.y), Number(load.Inflow.z),
                 ];
             }
         }

@@ -60,6 +60,7 @@ namespace Alate.Flight
                 + (uint)o.cycleChange * 64
                 + (uint)o.torqueArm * 16 + (uint)o.springUnits * 8 + (uint)o.coupling * 4 + (uint)o.timeScheme);
             Add(parameters.kinematics);
+            Add(parameters.inflow);
             Add(wing.Length);
             Add(wing.Mass);
             Add(wing.GravityShare);
@@ -87,6 +88,18 @@ namespace Alate.Flight
             Add(kinematics.waves ? 1u : 0u);
             for (int k = 0; k < WingKinematics.Count; k++)
                 Add(kinematics.At(k));
+        }
+
+        // Nothing where no wake blows.
+        private void Add(in WingInflow inflow)
+        {
+            if (!inflow.IsSet)
+                return;
+            Add(inflow.mean);
+            Add(inflow.cosine1);
+            Add(inflow.sine1);
+            Add(inflow.cosine2);
+            Add(inflow.sine2);
         }
     }
 }

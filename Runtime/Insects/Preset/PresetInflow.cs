@@ -36,14 +36,19 @@ namespace Alate
 
         /// <summary>The inflow in the units of the model.</summary>
         /// <param name="wingLength">Metres from hinge to tip.</param>
-        internal readonly WingInflow ToInflow(float wingLength) => new WingInflow
+        internal readonly WingInflow ToInflow(float wingLength)
         {
-            mean = Speed(mean),
-            cosine1 = Speed(cosine1),
-            sine1 = Speed(sine1),
-            cosine2 = Speed(cosine2),
-            sine2 = Speed(sine2),
-        } * (1f / wingLength);
+            PresetInflow own = Clamped();
+            var speeds = new WingInflow
+            {
+                mean = own.mean,
+                cosine1 = own.cosine1,
+                sine1 = own.sine1,
+                cosine2 = own.cosine2,
+                sine2 = own.sine2,
+            };
+            return speeds * (1f / wingLength);
+        }
 
         /// <summary>A copy with every number in its range.</summary>
         internal readonly PresetInflow Clamped() => new PresetInflow

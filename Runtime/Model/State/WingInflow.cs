@@ -13,16 +13,16 @@ namespace Alate
     [Serializable]
     public struct WingInflow : IEquatable<WingInflow>
     {
-        /// <summary>Largest speed along an axis, wing lengths per second.</summary>
-        internal const float Most = 2e5f;
+        /// <summary>Largest speed along an axis, wing lengths per second: more than 100 m/s of the shortest wing.</summary>
+        internal const float Most = 3e5f;
 
-        /// <summary>Mean over the beat, L/s, each axis up to 2·10⁵.</summary>
+        /// <summary>Mean over the beat, L/s, each axis up to 3·10⁵.</summary>
         public float3 mean;
 
-        /// <summary>Parts that go with the cosine and the sine of the phase, L/s, each axis up to 2·10⁵.</summary>
+        /// <summary>Parts that go with the cosine and the sine of the phase, L/s, each axis up to 3·10⁵.</summary>
         public float3 cosine1, sine1;
 
-        /// <summary>Parts that go with the cosine and the sine of twice the phase, L/s, each axis up to 2·10⁵.</summary>
+        /// <summary>Parts that go with the cosine and the sine of twice the phase, L/s, each axis up to 3·10⁵.</summary>
         public float3 cosine2, sine2;
 
         /// <summary>True where a part is not zero.</summary>

@@ -8,22 +8,15 @@ using UnityEngine;
 namespace Alate.Editor.Tests
 {
     /// <summary>Laws of poses in edit mode: what turns with its wind stays as it is, and what a rig depends on makes a new one.</summary>
-    public sealed class PosedInsectLaws : InsectFixture
+    public sealed class PosedInsectLaws : PosedInsectFixture
     {
-        private readonly List<PosedInsect> m_Posed = new List<PosedInsect>();
         private Vector3 m_Gravity;
 
         [SetUp]
         public void KeepGravity() => m_Gravity = Physics.gravity;
 
         [TearDown]
-        public void EndPoses()
-        {
-            Physics.gravity = m_Gravity;
-            foreach (PosedInsect posed in m_Posed)
-                posed.Dispose();
-            m_Posed.Clear();
-        }
+        public void ResetGravity() => Physics.gravity = m_Gravity;
 
         [Test]
         public void TurnedWithItsWind_APoseIsTheSame_AndInTheWindAloneIsNot()
@@ -235,26 +228,5 @@ namespace Alate.Editor.Tests
         }
 
         private static float Apart(Vector3[] one, Vector3[] other) => one.Zip(other, Vector3.Distance).Max();
-
-        private InsectWings Shown()
-        {
-            InsectWings insect = Insect();
-            insect.Preview.shows = true;
-            return insect;
-        }
-
-        private PosedInsect Pose(InsectWings insect)
-        {
-            var posed = new PosedInsect(insect);
-            m_Posed.Add(posed);
-            return posed;
-        }
-
-        private static Vector3[] At(PosedInsect posed, InsectWings insect, float beat)
-        {
-            insect.Preview.beat = beat;
-            posed.Refresh();
-            return posed.Meshes[0].Mesh.vertices;
-        }
     }
 }

@@ -7,21 +7,13 @@ using UnityEngine;
 namespace Alate.Editor.Tests
 {
     /// <summary>Poses of insects while the game does not play, as an Animation window or Timeline scrubs through them.</summary>
-    public sealed class PosedInsectTests : InsectFixture
+    public sealed class PosedInsectTests : PosedInsectFixture
     {
-        private readonly List<PosedInsect> m_Posed = new List<PosedInsect>();
-
         [SetUp]
         public void BeginToListen() => BeatScrubbing.Clear();
 
         [TearDown]
-        public void EndPoses()
-        {
-            foreach (PosedInsect posed in m_Posed)
-                posed.Dispose();
-            m_Posed.Clear();
-            BeatScrubbing.Clear();
-        }
+        public void StopListening() => BeatScrubbing.Clear();
 
         [Test]
         public void OneBeat_HasOnePose_WhateverWasShownBefore()
@@ -156,13 +148,6 @@ namespace Alate.Editor.Tests
             Assert.That(float.IsNaN(beat) || shown.SequenceEqual(start), Is.True);
         }
 
-        private InsectWings Shown()
-        {
-            InsectWings insect = Insect();
-            insect.Preview.shows = true;
-            return insect;
-        }
-
         private static void Tick(params Object[] insects)
         {
             var fields = new SerializedObject(insects);
@@ -172,20 +157,6 @@ namespace Alate.Editor.Tests
 
         private static bool[] Dirty(InsectWings insect) =>
             insect.Wings.Select(wing => EditorUtility.IsDirty(wing.Renderer)).Append(EditorUtility.IsDirty(insect)).ToArray();
-
-        private PosedInsect Pose(InsectWings insect)
-        {
-            var posed = new PosedInsect(insect);
-            m_Posed.Add(posed);
-            return posed;
-        }
-
-        private static Vector3[] At(PosedInsect posed, InsectWings insect, float beat)
-        {
-            insect.Preview.beat = beat;
-            posed.Refresh();
-            return posed.Meshes[0].Mesh.vertices;
-        }
 
         // The vertex that is farthest from the body, whichever wing it is.
         private static float Tip(Vector3[] vertices) => vertices.OrderByDescending(place => Mathf.Abs(place.x)).First().y;

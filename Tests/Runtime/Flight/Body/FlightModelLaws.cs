@@ -124,6 +124,30 @@ namespace Alate.Tests.Flight
         }
 
         [Test]
+        public void AKey_TakesInTheAirOfTheWake_EachOfItsNumbers()
+        {
+            var keys = new HashSet<uint> { KeyOf(_ => { }) };
+            for (int part = 0; part < 5; part++)
+            {
+                for (int axis = 0; axis < 3; axis++)
+                {
+                    float3 one = default;
+                    one[axis] = 1f;
+                    var inflow = new WingInflow
+                    {
+                        mean = part == 0 ? one : default,
+                        cosine1 = part == 1 ? one : default,
+                        sine1 = part == 2 ? one : default,
+                        cosine2 = part == 3 ? one : default,
+                        sine2 = part == 4 ? one : default,
+                    };
+                    uint key = KeyOf(wing => Change((ref WingParameters p) => p.inflow = inflow)(wing));
+                    Assert.That(keys.Add(key), Is.True, $"{part}, {axis}");
+                }
+            }
+        }
+
+        [Test]
         public void AKey_TakesInEachOptionOfTheModel()
         {
             var keys = new System.Collections.Generic.HashSet<uint>();

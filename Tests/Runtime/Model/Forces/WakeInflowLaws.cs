@@ -108,6 +108,8 @@ namespace Alate.Tests
             preset.Inflow.cosine2 = new Vector3(7f, 8f, 9f);
             preset.Inflow.sine2 = new Vector3(1e9f, float.NaN, -1e9f);
             WingInflow inflow = preset.ToParameters().inflow * preset.WingLength;
+            preset.Size.wingLength = 1e-9f;
+            Assert.That(preset.ToParameters().inflow.sine2.x, Is.EqualTo(2e5f).Within(1f), "of the shortest wing in the fastest air");
             Object.DestroyImmediate(preset);
 
             Assert.That(math.distance(inflow.mean, new float3(0.1f, -0.2f, 0.3f)), Is.LessThan(1e-6f));

@@ -1,7 +1,7 @@
 namespace Alate.Cli;
 
-/// <summary>Loads of a recorded flight, in which the wings met no wake; newtons, axes of the body.</summary>
-internal static class StillLoads
+/// <summary>Loads that a recorded flight has by itself, beside those of its wake; newtons, axes of the body.</summary>
+internal static class FlownLoads
 {
     /// <summary>Force on a wing at a time, in beats.</summary>
     public static float3 Force(RecordedWing wing, double turns)
