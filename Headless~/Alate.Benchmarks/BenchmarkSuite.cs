@@ -66,7 +66,7 @@ public static class BenchmarkSuite
             using (var earlier = new Swarm([version01], FrameComparison.Insects))
                 new FrameComparison(version01, plain, earlier, swarm).Run(report);
             new CrowdComparison(monarch).Run(report, swarm);
-            InflowComparison.Run(report, monarch, swarm);
+            InflowComparison.Run(report, monarch);
         }
 
         FlightComparison.Run(report);
