@@ -71,24 +71,27 @@ namespace Alate.Fitting
             return outline.Contains(moved);
         }
 
-        // Dijkstra's algorithm over lines of sight; where sight fails altogether, the next corner is always in sight.
+        // Dijkstra's algorithm over lines of sight; where sight fails altogether, the next corner is always in sight. Of the ways to a
+        // corner the shorter ones are looked along first: the first that is free is the way.
         private static List<PlanPoint> Shortest(ClosedCurve outline, List<PlanPoint> corners)
         {
             int count = corners.Count;
-            double[] lengths = new double[count];
-            int[] before = new int[count];
+            double[] lengths = new double[count], ways = new double[count];
+            int[] before = new int[count], order = new int[count];
             for (int k = 1; k < count; k++)
             {
-                lengths[k] = double.MaxValue;
                 for (int earlier = 0; earlier < k; earlier++)
                 {
-                    double length = lengths[earlier] + Math.Sqrt((corners[k] - corners[earlier]).LengthSquared);
-                    if (length < lengths[k] && (earlier == k - 1 || IsInside(outline, corners[earlier], corners[k])))
-                    {
-                        lengths[k] = length;
-                        before[k] = earlier;
-                    }
+                    order[earlier] = earlier;
+                    ways[earlier] = lengths[earlier] + Math.Sqrt((corners[k] - corners[earlier]).LengthSquared);
                 }
+
+                Array.Sort(ways, order, 0, k);
+                int way = 0;
+                while (order[way] != k - 1 && !IsInside(outline, corners[order[way]], corners[k]))
+                    way++;
+                lengths[k] = ways[way];
+                before[k] = order[way];
             }
 
             var path = new List<PlanPoint>();

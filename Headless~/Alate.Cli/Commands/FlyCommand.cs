@@ -23,7 +23,8 @@ internal static class FlyCommand
             if (free.IsFree(parsed))
             {
                 options.CheckFree(parsed);
-                FreeReport.Run(free.Plan(parsed, parsed.GetValue(species), options.Seconds(parsed), options.Folder(parsed)), output);
+                FreePlan flown = free.Plan(parsed, parsed.GetValue(species), options.Seconds(parsed), options.Folder(parsed));
+                FreeReport.Run(flown with { IsDrawn = options.IsDrawn(parsed) }, output);
                 return 0;
             }
 

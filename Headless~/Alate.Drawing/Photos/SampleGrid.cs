@@ -20,6 +20,10 @@ internal sealed class SampleGrid
     private readonly float[] m_Depths;
     private readonly float3[] m_Lights;
     private readonly int[] m_Newest;
+
+    /// <summary>[row of samples] The first and the last column at which something was added.</summary>
+    private readonly int[] m_First, m_Last;
+
     private readonly List<GlassSample> m_Glass = [];
 
     /// <param name="width">Pixels.</param>
@@ -29,11 +33,15 @@ internal sealed class SampleGrid
         Width = width;
         Height = height;
         int count = width * height * k_Fineness * k_Fineness;
-        m_Depths = new float[count];
-        m_Lights = new float3[count];
-        m_Newest = new int[count];
+        m_Depths = GC.AllocateUninitializedArray<float>(count);
+        m_Lights = GC.AllocateUninitializedArray<float3>(count);
+        m_Newest = GC.AllocateUninitializedArray<int>(count);
         Array.Fill(m_Depths, float.PositiveInfinity);
         Array.Fill(m_Newest, k_None);
+        m_First = new int[height * k_Fineness];
+        m_Last = new int[height * k_Fineness];
+        Array.Fill(m_First, int.MaxValue);
+        Array.Fill(m_Last, k_None);
     }
 
     /// <summary>Pixels.</summary>
@@ -56,6 +64,8 @@ internal sealed class SampleGrid
     {
         const float k_Solid = 0.995f;
         int index = Index(x, y);
+        m_First[y] = Math.Min(m_First[y], x);
+        m_Last[y] = Math.Max(m_Last[y], x);
         if (light.w >= k_Solid)
         {
             m_Depths[index] = depth;
@@ -99,37 +109,45 @@ internal sealed class SampleGrid
     /// <param name="paper">What is behind all, linear light.</param>
     public Color32[] Pixels(float3 paper)
     {
-        float3 ground = Shading.ToEncoded(paper);
-        float3[] seen = Encoded(paper, ground);
         var pixels = new Color32[Width * Height];
+        Array.Fill(pixels, Bytes(Shading.ToEncoded(paper)));
+        var seen = new EncodedRows(this, paper);
         for (int y = 0; y < Height; y++)
         {
-            for (int x = 0; x < Width; x++)
-                pixels[y * Width + x] = Bytes(IsPaperAround(x, y) ? ground : Mean(seen, new int2(x, y) * k_Fineness + k_Fineness / 2));
+            (int first, int last) = PixelsAround(y);
+            for (int x = first; x <= last; x++)
+            {
+                if (!IsPaperAround(x, y))
+                    pixels[y * Width + x] = Bytes(Mean(seen, new int2(x, y) * k_Fineness + k_Fineness / 2));
+            }
         }
 
         return pixels;
     }
 
-    // Sample by sample, as it is shown.
-    private float3[] Encoded(float3 paper, float3 ground)
+    // Those of a row whose samples or neighbouring samples hold more than paper.
+    private (int First, int Last) PixelsAround(int y)
     {
-        var seen = new float3[m_Depths.Length];
-        var sheets = new List<GlassSample>();
-        for (int k = 0; k < seen.Length; k++)
-            seen[k] = IsPaper(k) ? ground : Shading.ToEncoded(Seen(k, paper, sheets));
-        return seen;
+        int first = int.MaxValue, last = k_None;
+        for (int row = math.max(k_Fineness * y - 1, 0); row <= math.min(k_Fineness * (y + 1), k_Fineness * Height - 1); row++)
+        {
+            first = Math.Min(first, m_First[row]);
+            last = Math.Max(last, m_Last[row]);
+        }
+
+        return last == k_None ? (0, k_None) : (math.max(first - 1, 0) / k_Fineness, math.min((last + 1) / k_Fineness, Width - 1));
     }
 
-    private float3 Mean(float3[] seen, int2 middle)
+    private float3 Mean(EncodedRows seen, int2 middle)
     {
         float3 sum = 0f;
         for (int y = 1 - k_Fineness; y < k_Fineness; y++)
         {
             int row = math.clamp(middle.y + y, 0, k_Fineness * Height - 1);
+            float3[] shown = seen.Row(row);
             float3 across = 0f;
             for (int x = 1 - k_Fineness; x < k_Fineness; x++)
-                across += (k_Fineness - math.abs(x)) * seen[Index(math.clamp(middle.x + x, 0, k_Fineness * Width - 1), row)];
+                across += (k_Fineness - math.abs(x)) * shown[math.clamp(middle.x + x, 0, k_Fineness * Width - 1)];
             sum += (k_Fineness - math.abs(y)) * across;
         }
 
@@ -180,6 +198,43 @@ internal sealed class SampleGrid
     }
 
     private int Index(int x, int y) => y * k_Fineness * Width + x;
+
+    /// <summary>Samples as they are shown, a row at a time: a picture is large, and needs few rows at once.</summary>
+    private sealed class EncodedRows
+    {
+        /// <summary>Rows that are kept: a power of two, at least the rows that a pixel needs.</summary>
+        private const int k_Kept = 8;
+
+        private readonly SampleGrid m_Grid;
+        private readonly float3 m_Paper, m_Ground;
+        private readonly float3[][] m_Rows = new float3[k_Kept][];
+        private readonly int[] m_Held = new int[k_Kept];
+        private readonly List<GlassSample> m_Sheets = [];
+
+        public EncodedRows(SampleGrid grid, float3 paper)
+        {
+            m_Grid = grid;
+            m_Paper = paper;
+            m_Ground = Shading.ToEncoded(paper);
+            Array.Fill(m_Held, k_None);
+        }
+
+        public float3[] Row(int row)
+        {
+            int place = row & (k_Kept - 1);
+            float3[] shown = m_Rows[place] ??= new float3[k_Fineness * m_Grid.Width];
+            if (m_Held[place] == row)
+                return shown;
+            m_Held[place] = row;
+            for (int x = 0; x < shown.Length; x++)
+            {
+                int sample = m_Grid.Index(x, row);
+                shown[x] = m_Grid.IsPaper(sample) ? m_Ground : Shading.ToEncoded(m_Grid.Seen(sample, m_Paper, m_Sheets));
+            }
+
+            return shown;
+        }
+    }
 
     /// <summary>Layer seen through at a sample.</summary>
     /// <param name="Depth">Distance from the viewer.</param>

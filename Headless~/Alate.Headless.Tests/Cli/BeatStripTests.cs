@@ -101,6 +101,8 @@ namespace Alate.Tests.Cli
         }
 
         [Test]
+        [Explicit]
+        [Category("Long")]
         public void AWingWithoutColours_IsDrawnToo()
         {
             using var run = new CommandRun();

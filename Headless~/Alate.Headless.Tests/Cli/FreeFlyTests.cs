@@ -160,7 +160,8 @@ namespace Alate.Tests.Cli
         public void TheCommand_FliesTheTrackOfItsSeed()
         {
             using var run = new CommandRun();
-            Assert.That(run.Run("fly", "monarch", "--free", "--pilot", "wander", "--seed", "7", "--seconds", "0.3", "--out", run.Out),
+            Assert.That(run.Run(
+                    "fly", "monarch", "--free", "--pilot", "wander", "--seed", "7", "--seconds", "0.3", "--no-pictures", "--out", run.Out),
                 Is.Zero, run.Errors);
             Assert.That(File.ReadAllLines(Path.Combine(run.Out, "trajectory.csv")), Is.EqualTo(Track(7)));
         }

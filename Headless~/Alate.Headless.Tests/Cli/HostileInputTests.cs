@@ -130,7 +130,8 @@ namespace Alate.Tests.Cli
         [TestCase("species", ">&-")]
         [TestCase("--help", ">&-", Explicit = true, Category = "Long")]
         [TestCase("fly monarch --seconds 0.2 --no-pictures --out OUT", ">&-", Explicit = true, Category = "Long")]
-        [TestCase("fly monarch --seconds 0.2 --no-pictures --out OUT", ">/dev/full")]
+        [TestCase("fly monarch --seconds 0.2 --no-pictures --out OUT", ">/dev/full", Explicit = true, Category = "Long")]
+        [TestCase("species", ">/dev/full")]
         [TestCase("species --json OUT.json", ">/dev/full", Explicit = true, Category = "Long")]
         public void AnOutputThatTakesNothing_LeavesNothing(string words, string output)
         {

@@ -44,6 +44,9 @@ namespace Alate.Tests.Cli
                 Assert.That(File.ReadAllBytes(Path.Combine(m_Run.Folder, "again", file)),
                     Is.EqualTo(File.ReadAllBytes(Path.Combine(m_Run.Folder, "recorded", file))), file);
             }
+
+            Assert.That(Path.Combine(m_Run.Folder, "again", "path.png"), Does.Not.Exist, "--no-pictures");
+            Assert.That(m_Run.Output, Does.Contain("flight.glb").And.Not.Contain("path.png"));
         }
 
         [Test]

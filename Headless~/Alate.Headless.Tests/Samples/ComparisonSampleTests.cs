@@ -94,6 +94,8 @@ public sealed class ComparisonSampleTests : SampleFixture<ComparisonSample>
     }
 
     [UnityTest]
+    [Explicit]
+    [Category("Long")]
     public IEnumerator TheStudy_AsksTwelveTimes_WithoutNames_WritesTheVotesDown_AndCountsThem()
     {
         yield return Begin();

@@ -12,6 +12,8 @@ namespace Alate.Tests.Play.Samples;
 public sealed class GardenSampleTests : SampleFixture<GardenSample>
 {
     [UnityTest]
+    [Explicit]
+    [Category("Long")]
     public IEnumerator Butterflies_FlyLandAndSit_WithTheirWingsFolded_AndFleeFromTheCamera()
     {
         yield return Begin();

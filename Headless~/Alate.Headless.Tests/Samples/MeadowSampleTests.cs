@@ -21,6 +21,8 @@ public sealed class MeadowSampleTests : PlayFixture
     public void ForgetTheShader() => ProjectShaders.Clear();
 
     [UnityTest]
+    [Explicit]
+    [Category("Long")]
     public IEnumerator TenThousandFly_AHandfulOfThemLive_AndNothingIsLeft()
     {
         int before = Resources.FindObjectsOfTypeAll<Mesh>().Length + Resources.FindObjectsOfTypeAll<Texture2D>().Length

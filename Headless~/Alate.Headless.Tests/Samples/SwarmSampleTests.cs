@@ -11,6 +11,8 @@ namespace Alate.Tests.Play.Samples;
 public sealed class SwarmSampleTests : SampleFixture<SwarmSample>
 {
     [UnityTest]
+    [Explicit]
+    [Category("Long")]
     public IEnumerator HundredsFly_AtSeveralLevelsOfDetail_WhichThePanelCounts()
     {
         yield return Begin();

@@ -81,7 +81,7 @@ internal sealed class FlyOptions
     private readonly Option<PictureView?> m_View = FlightOptions.View();
 
     private readonly Option<bool> m_NoPictures =
-        new("--no-pictures") { Description = "Neither strip.png nor stretch.png: for many runs one after the other." };
+        new("--no-pictures") { Description = "Neither strip.png nor stretch.png, with --free no path.png: for many runs." };
 
     private readonly Option<string> m_Out = new("--out") { HelpName = "DIR", Description = "Where the files go. [default: out/SPECIES]" };
 
@@ -117,6 +117,9 @@ internal sealed class FlyOptions
         if (given != null)
             throw new UserException($"{given.Name} is for flights on the spot; it does not go with --free.");
     }
+
+    /// <summary>Returns true where pictures are wanted.</summary>
+    public bool IsDrawn(ParseResult parsed) => !parsed.GetValue(m_NoPictures);
 
     /// <summary>Folder of the files; null for the default.</summary>
     public string Folder(ParseResult parsed) => parsed.GetValue(m_Out);
@@ -154,7 +157,7 @@ internal sealed class FlyOptions
             Column = parsed.GetValue(m_Rigid) ? ComparisonColumn.RigidWing
                 : parsed.GetValue(m_NoWave) ? ComparisonColumn.NoWave : ComparisonColumn.FullModel,
             View = parsed.GetValue(m_View) ?? PictureView.FrontLeft,
-            IsDrawn = !parsed.GetValue(m_NoPictures),
+            IsDrawn = IsDrawn(parsed),
             Folder = parsed.GetValue(m_Out),
         };
         Check(plan, species, parsed.GetValue(m_Species));

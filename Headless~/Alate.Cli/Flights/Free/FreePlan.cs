@@ -33,6 +33,9 @@ internal sealed record FreePlan
     /// <summary>Options of the command line that say where to, as a recording tells them.</summary>
     public string Options { get; init; } = "";
 
+    /// <summary>True where the way is drawn.</summary>
+    public bool IsDrawn { get; init; } = true;
+
     /// <summary>Number of steps.</summary>
     public int Steps => Replay?.Recording.Steps.Count ?? (int)Math.Ceiling(Seconds / Step - 1e-9);
 

@@ -14,7 +14,8 @@ internal static class FreeReport
     public static void Run(FreePlan plan, TextWriter output)
     {
         string path = plan.Folder ?? Path.Combine("out", plan.Insect.Name + "-free");
-        using var folder = OutputFolder.Prepare(path, k_Trajectory, k_Forces, k_Path, k_Glb);
+        string[] pictures = plan.IsDrawn ? [k_Path] : [], files = [k_Trajectory, k_Forces, .. pictures, k_Glb];
+        using var folder = OutputFolder.Prepare(path, files);
         if (plan.RecordFile != null)
             OutputFile.Check(plan.RecordFile);
         var terminal = new Terminal(output);
@@ -23,8 +24,12 @@ internal static class FreeReport
         terminal.ShowProgress(plan.Steps, (steps, stage) =>
         {
             record = FreeRun.Fly(plan, steps);
-            stage("drawing");
-            folder.Write(k_Path, stream => stream.Write(PathPicture.Draw(record, out factor)));
+            if (plan.IsDrawn)
+            {
+                stage("drawing");
+                folder.Write(k_Path, stream => stream.Write(PathPicture.Draw(record, out factor)));
+            }
+
             stage("writing");
             folder.Write(k_Trajectory, stream => CsvTable.Write(stream, TrajectoryTable.Of(record)));
             folder.Write(k_Forces, stream => CsvTable.Write(stream, ForceTable.Of(record)));
@@ -41,7 +46,7 @@ internal static class FreeReport
             output.WriteLine(Replayed(replay.Recording));
         if (plan.RecordFile != null)
             output.WriteLine($"{plan.RecordFile} has the flight for --replay.");
-        terminal.ShowFiles(path, k_Trajectory, k_Forces, k_Path, k_Glb);
+        terminal.ShowFiles(path, files);
     }
 
     internal static string Way(FreeRecord record)

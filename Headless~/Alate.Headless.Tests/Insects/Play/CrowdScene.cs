@@ -16,6 +16,9 @@ namespace Alate.Tests.Play.Headless
         /// <summary>Triangles of the meshes: fewer than those of a game, which take longer to make.</summary>
         public static readonly int[] Triangles = [400, 130, 50];
 
+        /// <summary>By insect and clips: frames are numbers, and the same for every scene.</summary>
+        private static readonly Dictionary<string, InsectBake> s_Flown = [];
+
         private readonly List<Object> m_Made = new List<Object>();
 
         /// <param name="species">The insects.</param>
@@ -37,7 +40,7 @@ namespace Alate.Tests.Play.Headless
             if (variant == InsectVariant.Flight)
                 CatalogueFlight.AddTo(Prefab, InsectCatalogue.Find(species));
             Prefab.transform.position = new Vector3(0f, 0f, -100f);
-            Bake = InsectBaker.Bake(Prefab, Array.ConvertAll(clips, BakeMotion.Find), BakeSettings.Default);
+            Bake = BakeOf(Prefab, $"{species} {variant} {string.Join(' ', clips)}", clips);
             Baked = BakedInsect.Create(Bake, Triangles);
             Prefab.gameObject.SetActive(false);
             var eye = new GameObject("eye");
@@ -86,6 +89,24 @@ namespace Alate.Tests.Play.Headless
                 Color pixel = pixels[y * texture.width + x];
                 return new float3((float)(Half)pixel.r, (float)(Half)pixel.g, (float)(Half)pixel.b);
             }
+        }
+
+        // The frames that an earlier scene flew, on the surface of this one, whose materials live as long as its insect.
+        private static InsectBake BakeOf(InsectWings insect, string key, string[] clips)
+        {
+            if (!s_Flown.TryGetValue(key, out InsectBake flown))
+                return s_Flown[key] = InsectBaker.Bake(insect, Array.ConvertAll(clips, BakeMotion.Find), BakeSettings.Default);
+            using var drawn = new DrawnInsect(insect);
+            return new InsectBake
+            {
+                Name = insect.name,
+                Surface = drawn.Surface(),
+                Wings = flown.Wings,
+                Clips = flown.Clips,
+                MetresPerUnit = flown.MetresPerUnit,
+                WingLength = flown.WingLength,
+                JointCount = flown.JointCount,
+            };
         }
 
         public void Clear()
