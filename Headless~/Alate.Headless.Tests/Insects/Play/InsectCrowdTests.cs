@@ -57,7 +57,7 @@ namespace Alate.Tests.Play.Headless
             Scene = new CrowdScene("monarch", loops.Length, "cruise", "rest");
             for (int insect = 0; insect < loops.Length; insect++)
             {
-                CrowdPose pose = CrowdPose.At(default, quaternion.identity, 0.3f);
+                var pose = CrowdPose.At(default, quaternion.identity, 0.3f);
                 pose.loop = pose.nextLoop = loops[insect];
                 Scene.Place(insect, Held(pose));
             }
