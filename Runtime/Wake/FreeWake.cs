@@ -61,9 +61,16 @@ namespace Alate.Wake
         /// <exception cref="ArgumentOutOfRangeException">There is no such wing.</exception>
         public WakeLoads Loads(int wing)
         {
-            if (wing < 0 || wing >= m_Wings.Length)
-                throw new ArgumentOutOfRangeException(nameof(wing), wing, $"There are {m_Wings.Length} wings, from 0.");
+            Check(wing);
             return m_Wings[wing].Loads;
+        }
+
+        /// <summary>Wake of a wing at the moment of the last step; read it before the next one.</summary>
+        /// <exception cref="ArgumentOutOfRangeException">There is no such wing.</exception>
+        public WakeSheet Sheet(int wing)
+        {
+            Check(wing);
+            return new WakeSheet(m_Wings[wing].Sheet);
         }
 
         /// <summary>Frees the memory.</summary>
@@ -73,9 +80,14 @@ namespace Alate.Wake
             m_Solver.Dispose();
         }
 
-        /// <summary>Does a step: places the wings, sheds, solves, computes the loads, and moves the wake.</summary>
+        /// <summary>
+        /// Does a step: moves the wake of the step before, places the wings, sheds, solves, and computes the loads. Wings, wake and loads
+        /// are those of one moment then.
+        /// </summary>
         public void Step()
         {
+            if (StepCount > 0)
+                MoveWake();
             m_Field.Clear();
             foreach (WingState wing in m_Wings)
             {
@@ -87,8 +99,13 @@ namespace Alate.Wake
 
             if (!m_Solver.Solve(m_Field, StepCount))
                 Failures++;
-            MoveWake();
             StepCount++;
+        }
+
+        private void Check(int wing)
+        {
+            if (wing < 0 || wing >= m_Wings.Length)
+                throw new ArgumentOutOfRangeException(nameof(wing), wing, $"There are {m_Wings.Length} wings, from 0.");
         }
 
         private void MoveWake()

@@ -7,7 +7,8 @@ internal static class FiguresCommand
 {
     private const string k_Page = "species.md", k_Sweep = "images/sweep-elasticity.png", k_SweepCharts = "images/sweep-elasticity.svg",
         k_Gallery = "images/insects.png",
-        k_Film = "images/monarch-film.png", k_Stretch = "images/stretch-monarch.png", k_Veins = "images/veins.svg";
+        k_Film = "images/monarch-film.png", k_Stretch = "images/stretch-monarch.png", k_Veins = "images/veins.svg",
+        k_Wake = "images/wake-monarch.png";
 
     /// <summary>Pixels of the picture of all insects.</summary>
     internal const int GalleryWidth = 1230;
@@ -44,7 +45,7 @@ internal static class FiguresCommand
     }
 
     private static List<string> Pictures =>
-        [k_Sweep, k_SweepCharts, k_Gallery, k_Film, k_Stretch, k_Veins,
+        [k_Sweep, k_SweepCharts, k_Gallery, k_Film, k_Stretch, k_Veins, k_Wake,
             .. InsectCatalogue.Names.SelectMany(name => new[] { Portrait(name), Compared(name) })];
 
     /// <summary>The film of the front page.</summary>
@@ -61,6 +62,16 @@ internal static class FiguresCommand
 
     /// <summary>The comparisons of the page of species.</summary>
     internal static ComparisonPlan Comparisons => new(InsectCatalogue.All.Select(Plan).ToList(), ComparisonColumn.All, k_Phases);
+
+    /// <summary>The wake of the front page: a monarch that cruises by its own wings.</summary>
+    internal static FlightPlan WakeFlown => new()
+    {
+        Species = k_Hero,
+        Variant = InsectVariant.Flight,
+        Speed = 1.3,
+        PitchDegrees = 28,
+        Substeps = 96,
+    };
 
     private static void Run(string path, TextWriter output)
     {
@@ -123,6 +134,12 @@ internal static class FiguresCommand
         folder.Write(k_Sweep, stream => stream.Write(SweepPicture.DrawPoses(swept)));
         Write(folder, k_SweepCharts, SweepPicture.DrawCharts(swept));
         Write(folder, k_Veins, VeinFigure.Draw());
+        using (var wake = new WakeFlight(TetheredFlight.Fly(WakeFlown), new WakePlan()))
+        {
+            using WakeFlight smooth = wake.Smooth();
+            folder.Write(k_Wake, stream => stream.Write(WakePicture.Draw(smooth)));
+        }
+
         stage("filming");
         var film = Film.Fly(HeroFilm);
         folder.Write(k_Film, stream => stream.Write(film.Animation(film.Draw(_ => { }))));

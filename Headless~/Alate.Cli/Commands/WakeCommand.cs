@@ -35,6 +35,8 @@ internal static class WakeCommand
         + "  wake dragonfly --method panels --steps 40 --ground 0.03\n\n"
         + "Writes into the output folder:\n"
         + "  wake.csv      force and power of each wing over the last beat, with the wake and without, N and W\n"
-        + "  inflow.json   mean and two harmonics of the air that the wake sets moving at each wing, m/s\n\n"
+        + "  inflow.json   mean and two harmonics of the air that the wake sets moving at each wing, m/s\n"
+        + "  wake.png      the insect at the end of its downstroke and the vortex rings of one and a half beats\n"
+        + "  wake.glb      the beat with the rings that its wings leave, as a looped 3D animation (glTF 2.0), metres\n\n"
         + "Exit code: 0 when all is written, 2 for bad usage or input (nothing is written then).\n";
 }

@@ -43,6 +43,12 @@ internal sealed class WakeFlight : IDisposable
         }
     }
 
+    /// <summary>
+    /// Steps of a beat, and radius of an old core in chords, with which a wake rolls up into smooth tubes; its loads are the same.
+    /// </summary>
+    private const int k_SmoothSteps = 40;
+    private const double k_SmoothCore = 0.8;
+
     /// <summary>Kinematic viscosity of air at 20 °C, m²/s.</summary>
     private const double k_AirViscosity = 1.5e-5;
 
@@ -63,8 +69,19 @@ internal sealed class WakeFlight : IDisposable
 
     public FreeWake Wake => m_Wake;
 
+    /// <summary>[step of the last beat] Sheets of all wings; of left ones too where right ones alone are computed.</summary>
+    public List<List<ShapedSheet>> Shapes { get; } = [];
+
     /// <summary>Frees the memory.</summary>
     public void Dispose() => m_Wake.Dispose();
+
+    /// <summary>Sheds the wake of this flight again, as pictures show it: in finer steps, with wider cores.</summary>
+    public WakeFlight Smooth()
+    {
+        var smooth = new WakeFlight(Flight, Plan with { StepsPerBeat = k_SmoothSteps, FarCore = k_SmoothCore });
+        smooth.Run(_ => { });
+        return smooth;
+    }
 
     /// <summary>Flies all beats, and returns the loads of the last one.</summary>
     /// <param name="progress">Told the steps done so far.</param>
@@ -77,7 +94,11 @@ internal sealed class WakeFlight : IDisposable
             double time = m_Wake.Time;
             m_Wake.Step();
             if (k >= steps - Plan.StepsPerBeat)
+            {
                 moments.Add(Moment(time - (Plan.Beats - 1)));
+                Shapes.Add(Shape());
+            }
+
             progress(k + 1);
         }
 
@@ -90,6 +111,13 @@ internal sealed class WakeFlight : IDisposable
         return new WakeMoment(turns, Enumerable.Range(0, m_Wake.WingCount).Select(m_Wake.Loads).Select(wing => new WakeLoad(
             (float)force * wing.Force, (float)(force * Length) * wing.Moment, power * wing.Power, (float)speed * wing.Inflow)).ToList(),
             IsSymmetric);
+    }
+
+    private List<ShapedSheet> Shape()
+    {
+        List<ShapedSheet> sheets =
+            [.. Wings.Select((wing, k) => ShapedSheet.Of(m_Wake.Sheet(k), Length, Period, wing.Placement.IsLeft))];
+        return IsSymmetric ? [.. sheets, .. sheets.Select(sheet => sheet.Mirrored())] : sheets;
     }
 
     private WakeWing WingOf(RecordedWing wing)

@@ -26,6 +26,9 @@ internal sealed record WakePlan
     /// <summary>Height of the middle of the thorax above a ground, metres; null for none.</summary>
     public double? Ground { get; init; }
 
+    /// <summary>True where the rings are shown.</summary>
+    public bool IsDrawn { get; init; } = true;
+
     /// <summary>Radius of an old core, chords; null is the default.</summary>
     public double? FarCore { get; init; }
 

@@ -3,7 +3,7 @@ namespace Alate.Cli;
 /// <summary>Flies a plan, computes the wake of its last beat, and writes what came of it: all of the files or none.</summary>
 internal static class WakeReport
 {
-    private const string k_Table = "wake.csv", k_Inflow = "inflow.json";
+    private const string k_Table = "wake.csv", k_Inflow = "inflow.json", k_Picture = "wake.png", k_Glb = "wake.glb";
 
     /// <summary>
     /// Substeps of a flight that is not told any: at the default ones lift is up to 15 % low, which would be taken for the wake's.
@@ -17,7 +17,8 @@ internal static class WakeReport
         var insect = Insect.Of(plan);
         PlanRange.CheckElasticity(plan, plan.Elasticity);
         string path = plan.Folder ?? Path.Combine("out", insect.Name + "-wake");
-        using var folder = OutputFolder.Prepare(path, k_Table, k_Inflow);
+        string[] shown = wake.IsDrawn ? [k_Picture, k_Glb] : [], files = [k_Table, k_Inflow, .. shown];
+        using var folder = OutputFolder.Prepare(path, files);
         var terminal = new Terminal(output);
         using var rounds = new WakeRounds(plan, insect, wake);
         terminal.ShowProgress(rounds.Steps * wake.Rounds, (steps, stage) =>
@@ -29,6 +30,12 @@ internal static class WakeReport
                 rounds.Run(done => steps(before + done));
             }
 
+            if (wake.IsDrawn)
+            {
+                stage("drawing");
+                Show(rounds.Wake, folder);
+            }
+
             stage("writing");
             folder.Write(k_Table, stream => CsvTable.Write(stream, WakeTable.Of(rounds)));
             folder.Write(k_Inflow, stream => InflowJson.Write(rounds.Wake, rounds.Found, stream));
@@ -37,6 +44,13 @@ internal static class WakeReport
                 terminal.ShowTable("Rounds of flight and wake", WakeTable.Convergence(rounds));
         });
         folder.Commit();
-        terminal.ShowFiles(path, k_Table, k_Inflow);
+        terminal.ShowFiles(path, files);
+    }
+
+    private static void Show(WakeFlight wake, OutputFolder folder)
+    {
+        using WakeFlight smooth = wake.Smooth();
+        folder.Write(k_Picture, stream => stream.Write(WakePicture.Draw(smooth)));
+        folder.Write(k_Glb, stream => WingsGlb.Write(wake.Flight, stream, beside: new WakeGlb(new WakeLoop(smooth))));
     }
 }

@@ -11,6 +11,7 @@ internal sealed class PhotoScene
     private const float k_NearestTrail = 0.4f;
 
     private readonly IReadOnlyList<PhotoPart> m_Parts;
+    private readonly PictureView m_View;
     private readonly float m_Reach;
     private readonly PictureCamera m_Camera;
     private readonly Shading m_Shading;
@@ -21,6 +22,7 @@ internal sealed class PhotoScene
     public PhotoScene(PictureView view, float reach, IReadOnlyList<PhotoPart> parts)
     {
         m_Parts = parts;
+        m_View = view;
         m_Reach = reach;
         m_Camera = new PictureCamera(view, k_DistanceOverReach * reach);
         m_Shading = new Shading(m_Camera);
@@ -31,6 +33,11 @@ internal sealed class PhotoScene
 
     /// <summary>Returns this insect from another side.</summary>
     public PhotoScene From(PictureView view) => new(view, m_Reach, m_Parts);
+
+    /// <summary>Returns this insect with more parts.</summary>
+    /// <param name="parts">What is added.</param>
+    /// <param name="reach">Farthest that any of it comes from the middle of the thorax, metres.</param>
+    public PhotoScene With(IEnumerable<PhotoPart> parts, float reach) => new(m_View, math.max(reach, m_Reach), [.. m_Parts, .. parts]);
 
     /// <summary>The insect at a phase, 0 to 1 beats.</summary>
     public Pose PoseAt(double turns) => PoseAt(turns, quaternion.identity, float3.zero);

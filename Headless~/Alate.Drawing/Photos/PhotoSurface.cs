@@ -39,16 +39,18 @@ internal sealed class PhotoSurface
     public static PhotoSurface Of(SurfaceMesh body) => new(
         0, body.triangles, Array.ConvertAll(body.colours, colour => Shading.Linear(colour)), (colour, _) => colour, false, false, []);
 
-    /// <summary>A thin surface with a line around it.</summary>
+    /// <summary>A thin surface, with a line around it.</summary>
     /// <param name="index">Its number among the surfaces of the picture.</param>
     /// <param name="rest">[vertex] Its places at rest.</param>
     /// <param name="triangles">Three vertex indices a triangle.</param>
     /// <param name="values">[vertex] What its colour is made of: a colour, a place in a pattern or a picture, a number.</param>
     /// <param name="colourOf">Linear light and opacity of such a value, over a width in wing lengths; null is a pale membrane.</param>
     /// <param name="hasPattern">True where values are places in something fine.</param>
+    /// <param name="hasEdge">False for no line around it.</param>
     public static PhotoSurface Thin(
-        int index, float3[] rest, int[] triangles, float4[] values, Func<float4, float, float4> colourOf, bool hasPattern = false) =>
-        new(index, triangles, values, colourOf ?? ((_, _) => s_Membrane), true, hasPattern, MeshMargin.Of(rest, triangles));
+        int index, float3[] rest, int[] triangles, float4[] values, Func<float4, float, float4> colourOf, bool hasPattern = false,
+        bool hasEdge = true) => new(
+            index, triangles, values, colourOf ?? ((_, _) => s_Membrane), true, hasPattern, hasEdge ? MeshMargin.Of(rest, triangles) : []);
 
     /// <summary>Draws the surface.</summary>
     /// <param name="grid">Where to.</param>

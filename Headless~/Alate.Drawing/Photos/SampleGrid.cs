@@ -10,7 +10,7 @@ internal sealed class SampleGrid
     /// <summary>Samples along a side of a pixel.</summary>
     public const int k_Fineness = 3;
 
-    private const int k_None = -1;
+    private const int k_None = -1, k_Block = 1 << 14;
 
     /// <summary>
     /// Of the depth: two sheets of one surface that are nearer to each other are the same, met twice at an edge of its triangles.
@@ -24,7 +24,10 @@ internal sealed class SampleGrid
     /// <summary>[row of samples] The first and the last column at which something was added.</summary>
     private readonly int[] m_First, m_Last;
 
-    private readonly List<GlassSample> m_Glass = [];
+
+    /// <summary>Layers of glass in blocks, as millions of them would be copied where a list grows.</summary>
+    private readonly List<GlassSample[]> m_Glass = [];
+    private int m_GlassCount;
 
     /// <param name="width">Pixels.</param>
     /// <param name="height">Pixels.</param>
@@ -73,14 +76,17 @@ internal sealed class SampleGrid
             return;
         }
 
-        for (int k = m_Newest[index]; k != k_None; k = m_Glass[k].Next)
+        for (int k = m_Newest[index]; k != k_None; k = Glass(k).Next)
         {
-            if (m_Glass[k].Surface == surface && math.abs(m_Glass[k].Depth - depth) < k_SameSheet * depth)
+            ref GlassSample known = ref Glass(k);
+            if (known.Surface == surface && math.abs(known.Depth - depth) < k_SameSheet * depth)
                 return;
         }
 
-        m_Glass.Add(new GlassSample(depth, light, surface, m_Newest[index]));
-        m_Newest[index] = m_Glass.Count - 1;
+        if (m_GlassCount == m_Glass.Count * k_Block)
+            m_Glass.Add(new GlassSample[k_Block]);
+        Glass(m_GlassCount) = new GlassSample(depth, light, surface, m_Newest[index]);
+        m_Newest[index] = m_GlassCount++;
     }
 
     /// <summary>Adds a solid disc.</summary>
@@ -185,17 +191,28 @@ internal sealed class SampleGrid
         if (m_Newest[index] == k_None)
             return light;
         sheets.Clear();
-        for (int k = m_Newest[index]; k != k_None; k = m_Glass[k].Next)
+        for (int k = m_Newest[index]; k != k_None; k = Glass(k).Next)
         {
-            if (m_Glass[k].Depth < m_Depths[index])
-                sheets.Add(m_Glass[k]);
+            if (Glass(k).Depth < m_Depths[index])
+                Insert(sheets, Glass(k));
         }
 
-        sheets.Sort((one, other) => other.Depth.CompareTo(one.Depth));
         foreach (GlassSample sheet in sheets)
             light = math.lerp(light, sheet.Light.xyz, sheet.Light.w);
         return light;
     }
+
+    // From the farthest to the nearest; there are few.
+    private static void Insert(List<GlassSample> sheets, GlassSample added)
+    {
+        int place = sheets.Count;
+        sheets.Add(added);
+        for (; place > 0 && sheets[place - 1].Depth < added.Depth; place--)
+            sheets[place] = sheets[place - 1];
+        sheets[place] = added;
+    }
+
+    private ref GlassSample Glass(int sample) => ref m_Glass[sample / k_Block][sample % k_Block];
 
     private int Index(int x, int y) => y * k_Fineness * Width + x;
 

@@ -6,6 +6,7 @@ namespace Alate.Formats;
 internal sealed class GlbLooks(GlbBuffer buffer)
 {
     private const string k_Transmission = "KHR_materials_diffuse_transmission";
+    private const string k_Unlit = "KHR_materials_unlit";
     private const int k_Linear = 9729, k_LinearMipmap = 9987, k_Clamped = 33071;
 
     /// <summary>
@@ -46,18 +47,27 @@ internal sealed class GlbLooks(GlbBuffer buffer)
         return material;
     }
 
+    /// <summary>A material that shows vertex colours as they are, in any light.</summary>
+    public int Unlit(string name)
+    {
+        JsonObject look = GltfMaterial.Of(isPainted: true, isGlass: true, name);
+        look["extensions"] = new JsonObject { [k_Unlit] = new JsonObject() };
+        return Add(look);
+    }
+
     /// <summary>Adds what there is to the file.</summary>
     public void WriteTo(JsonObject gltf)
     {
         gltf["materials"] = m_Materials;
+        string[] used = [.. new[] { k_Transmission, k_Unlit }.Where(m_Materials.ToJsonString().Contains)];
+        if (used.Length > 0)
+            gltf["extensionsUsed"] = new JsonArray([.. used]);
         if (m_Images.Count == 0)
             return;
         gltf["samplers"] = new JsonArray(
             new JsonObject { ["magFilter"] = k_Linear, ["minFilter"] = k_LinearMipmap, ["wrapS"] = k_Clamped, ["wrapT"] = k_Clamped });
         gltf["textures"] = m_Textures;
         gltf["images"] = m_Images;
-        if (m_Materials.ToJsonString().Contains(k_Transmission))
-            gltf["extensionsUsed"] = new JsonArray(k_Transmission);
     }
 
     private int Add(JsonObject material)

@@ -100,7 +100,7 @@ namespace Alate.Tests.Cli
         }
 
         // Errors and warnings count; hints do not.
-        private static void Validate(params string[] files)
+        internal static void Validate(params string[] files)
         {
             WebTools.NeedNode();
             (int code, string output) = WebTools.Run("validate.mjs", files).Result;

@@ -22,7 +22,8 @@ namespace Alate.Tests.Cli
         {
             m_Run = new CommandRun();
             int code = m_Run.Run(
-                "wake", "dragonfly", "--variant", "flight", "--substeps", "24", "--span-panels", "5", "--steps", "16", "--out", m_Run.Out);
+                "wake", "dragonfly", "--variant", "flight", "--substeps", "24", "--span-panels", "5", "--steps", "16", "--no-pictures",
+                "--out", m_Run.Out);
             Assert.That(code, Is.Zero, m_Run.Errors);
         }
 
@@ -66,7 +67,20 @@ namespace Alate.Tests.Cli
         {
             Assert.That(m_Run.Output, Does.Contain("Dragonfly with its wake").And.Contain("lift / weight"));
             Assert.That(m_Run.Output, Does.Contain("power to the air, W/kg"));
-            Assert.That(m_Run.Output, Does.Contain("wake.csv").And.Contain("inflow.json"));
+            Assert.That(m_Run.Output, Does.Contain("wake.csv").And.Contain("inflow.json").And.Not.Contain("wake.png"));
+            Assert.That(Directory.GetFiles(m_Run.Out), Has.Length.EqualTo(2), "--no-pictures");
+        }
+
+        [Test]
+        [Explicit]
+        [Category("Long")]
+        public void PictureAndAnimation_AreWritten_AndSound()
+        {
+            using var run = new CommandRun();
+            Assert.That(run.Run("wake", "monarch", "--view", "top", "--out", run.Out), Is.Zero, run.Errors);
+            Assert.That(run.Output, Does.Contain("wake.png").And.Contain("wake.glb"));
+            Assert.That(PngTexts.Of(Path.Combine(run.Out, "wake.png")), Does.Contain("Monarch"));
+            GlbLooksTests.Validate(Path.Combine(run.Out, "wake.glb"));
         }
 
         [TestCase("--chord-panels goes with --method panels", "--chord-panels", "3")]

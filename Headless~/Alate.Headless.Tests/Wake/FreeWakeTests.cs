@@ -131,7 +131,24 @@ namespace Alate.Tests.Wake
             Assert.That(wing.Sheet.Circulation(1, 2), Is.EqualTo(wing.Lattice.Before[wing.Lattice.Ring(3, 2)]).Within(1e-6f).Or
                 .EqualTo(wing.Lattice.LongBefore[wing.Lattice.Ring(3, 2)]).Within(1e-6f));
             Assert.That(wing.Sheet.RowCount, Is.EqualTo(30));
-            Assert.That(wing.Sheet.Age(29), Is.EqualTo(30f / 24f).Within(1e-5f));
+            WakeSheet sheet = wake.Sheet(0);
+            Assert.That((sheet.RowCount, sheet.PointsPerRow), Is.EqualTo((30, 5)));
+            Assert.That(sheet.Circulation(28, 3), Is.EqualTo(wing.Sheet.Circulation(28, 3)));
+            Assert.That(sheet.Point(29, 4), Is.EqualTo(wing.Sheet.Point(29, 4)));
+            Assert.That(sheet.Age(0), Is.Zero);
+            for (int j = 0; j < 5; j++)
+            {
+                Assert.That(
+                    sheet.Point(0, j), Is.EqualTo(wing.Lattice.Rings[wing.Lattice.Corner(4, j)]), "wing and wake are of one moment");
+            }
+
+            Assert.That(() => wake.Sheet(1), Throws.InstanceOf<ArgumentOutOfRangeException>().With.Message.Contains("There are 1 wings"));
+            Assert.That(() => sheet.Point(30, 0), Throws.InstanceOf<ArgumentOutOfRangeException>().With.Message.Contains("There are 30"));
+            Assert.That(() => sheet.Point(0, -1), Throws.InstanceOf<ArgumentOutOfRangeException>());
+            Assert.That(() => sheet.Circulation(29, 0), Throws.InstanceOf<ArgumentOutOfRangeException>().With.Message.Contains("are 29"));
+            Assert.That(() => sheet.Circulation(0, 4), Throws.InstanceOf<ArgumentOutOfRangeException>().With.Message.Contains("are 4"));
+            Assert.That(() => sheet.Age(30), Throws.InstanceOf<ArgumentOutOfRangeException>());
+            Assert.That(wing.Sheet.Age(29), Is.EqualTo(29f / 24f).Within(1e-5f));
         }
 
         [Test]

@@ -85,10 +85,10 @@ internal sealed class FlyOptions
 
     private readonly Option<string> m_Out = new("--out") { HelpName = "DIR", Description = "Where the files go. [default: out/SPECIES]" };
 
-    /// <summary>Adds the options of a flight whose beat alone counts: no pictures, no time, no even wake.</summary>
+    /// <summary>Adds the options of a flight whose beat alone counts: no time, no even wake, no pictures of its own.</summary>
     public void AddBeatTo(Command command)
     {
-        Option[] others = [m_Seconds, m_Induced, m_Texture, m_View, m_NoPictures];
+        Option[] others = [m_Seconds, m_Induced, m_Texture, m_NoPictures];
         foreach (Option option in All.Except(others))
             command.Options.Add(option);
     }

@@ -41,9 +41,13 @@ internal sealed class WakeOptions
     private readonly Option<double?> m_Ground = Numbers.Optional(
         "--ground", "M", 0.001, 1000, "Height of the thorax above a ground, metres. [default: no ground]");
 
+    private readonly Option<bool> m_NoPictures =
+        new("--no-pictures") { Description = "Neither wake.png nor wake.glb: for many runs one after the other." };
+
     public void AddTo(Command command)
     {
-        foreach (Option option in new Option[] { m_Method, m_Downwash, m_Beats, m_Rounds, m_Steps, m_Across, m_Along, m_Keep, m_Ground })
+        Option[] all = [m_Method, m_Downwash, m_Beats, m_Rounds, m_Steps, m_Across, m_Along, m_Keep, m_Ground, m_NoPictures];
+        foreach (Option option in all)
             command.Options.Add(option);
     }
 
@@ -68,6 +72,7 @@ internal sealed class WakeOptions
             SpanPanels = parsed.GetValue(m_Along) ?? usual.SpanPanels,
             Keep = parsed.GetValue(m_Keep) ?? usual.Keep,
             Ground = parsed.GetValue(m_Ground),
+            IsDrawn = !parsed.GetValue(m_NoPictures),
         };
     }
 }

@@ -23,13 +23,14 @@ internal sealed class WingsGlb
     /// <param name="flight">The beat.</param>
     /// <param name="stream">Where to.</param>
     /// <param name="path">A free flight along which the insect moves, beating; null beats on the spot.</param>
-    public static void Write(FlightRecord flight, Stream stream, FreeRecord path = null)
+    /// <param name="beside">What moves beside an insect on the spot; null for nothing.</param>
+    public static void Write(FlightRecord flight, Stream stream, FreeRecord path = null, IGlbLoop beside = null)
     {
         var glb = new WingsGlb();
         glb.AddBody(flight.Insect.Body);
         foreach (RecordedWing wing in flight.Wings)
             glb.AddWing(wing);
-        glb.Finish(flight, path, stream);
+        glb.Finish(flight, path, beside, stream);
     }
 
     // What light passes is a part of its own: a viewer that sorts it against the rest would else spoil the solid part too.
@@ -96,14 +97,17 @@ internal sealed class WingsGlb
         return attributes;
     }
 
-    private void Finish(FlightRecord flight, FreeRecord path, Stream stream)
+    private void Finish(FlightRecord flight, FreeRecord path, IGlbLoop beside, Stream stream)
     {
+        beside?.AddTo(m_Scene, m_Looks);
         int parts = m_Scene.Nodes.Count;
         var children = new JsonArray(Enumerable.Range(0, parts).Select(k => (JsonNode)k).ToArray());
         m_Scene.Nodes.Add(new JsonObject { ["name"] = flight.Insect.Name, ["children"] = children });
         double period = 1.0 / flight.Wings[0].Frequency;
         JsonObject gltf = m_Scene.Begin(flight.Insect.DisplayName, [parts]);
-        gltf["animations"] = new JsonArray(path == null ? Animation(period) : Animation(path, parts));
+        JsonObject animation = path == null ? Animation(period, beside?.Beats ?? 1) : Animation(path, parts);
+        beside?.Animate(animation, period);
+        gltf["animations"] = new JsonArray(animation);
         m_Scene.AddAccessors(gltf);
         byte[] binary = m_Scene.AddBuffer(gltf);
         m_Looks.WriteTo(gltf);
@@ -111,15 +115,16 @@ internal sealed class WingsGlb
     }
 
     // Between two key frames the weight passes from one target to the next; the last key repeats the first, which is no target at all.
-    private JsonObject Animation(double period)
+    private JsonObject Animation(double period, int beats)
     {
-        float[] times = new float[k_KeyFrames + 1];
-        float[] weights = new float[(k_KeyFrames + 1) * (k_KeyFrames - 1)];
-        for (int key = 0; key <= k_KeyFrames; key++)
+        int keys = beats * k_KeyFrames;
+        float[] times = new float[keys + 1];
+        float[] weights = new float[(keys + 1) * (k_KeyFrames - 1)];
+        for (int key = 0; key <= keys; key++)
         {
             times[key] = (float)(period * key / k_KeyFrames);
-            if (key is > 0 and < k_KeyFrames)
-                weights[key * (k_KeyFrames - 1) + key - 1] = 1f;
+            if (key % k_KeyFrames > 0)
+                weights[key * (k_KeyFrames - 1) + key % k_KeyFrames - 1] = 1f;
         }
 
         JsonObject sampler = GlbScene.Sampler(m_Scene.Buffer.AddScalars(times), m_Scene.Buffer.AddScalars(weights));
