@@ -134,11 +134,8 @@ internal static class FiguresCommand
         folder.Write(k_Sweep, stream => stream.Write(SweepPicture.DrawPoses(swept)));
         Write(folder, k_SweepCharts, SweepPicture.DrawCharts(swept));
         Write(folder, k_Veins, VeinFigure.Draw());
-        using (var wake = new WakeFlight(TetheredFlight.Fly(WakeFlown), new WakePlan()))
-        {
-            using WakeFlight smooth = wake.Smooth();
-            folder.Write(k_Wake, stream => stream.Write(WakePicture.Draw(smooth)));
-        }
+        using (var wake = WakeFlight.Smooth(TetheredFlight.Fly(WakeFlown), new WakePlan()))
+            folder.Write(k_Wake, stream => stream.Write(WakePicture.Draw(wake)));
 
         stage("filming");
         var film = Film.Fly(HeroFilm);

@@ -19,6 +19,7 @@ internal static class FilmCommand
             "The insect flies about by its own wings, and the camera goes along; the film plays once."
         };
         var compare = new Option<bool>("--compare") { Description = "The four columns of 'compare' beside one another." };
+        var wake = new Option<bool>("--wake") { Description = "Shows the vortex rings that the wings leave, as 'wake' computes them." };
         Option<int?> beats = Numbers.OptionalCount("--beats", "N", 1, FilmPlan.MostBeats,
             $"Beats, 1 to {FilmPlan.MostBeats}. [default: {FilmPlan.DefaultBeats}, with --free {FilmPlan.FreeBeats}]");
         Option<int?> frames = Numbers.OptionalCount(
@@ -45,7 +46,7 @@ internal static class FilmCommand
         var folder = new Option<string>("--out") { HelpName = "DIR", Description = "Where the files go. [default: out/SPECIES-film]" };
         var command = new Command("film", "Films an insect in slow motion: an animated picture, and its frames.")
         {
-            species, variant, speed, free, compare, beats, frames, rate, turn, width, view, sound, slowSound, folder,
+            species, variant, speed, free, compare, wake, beats, frames, rate, turn, width, view, sound, slowSound, folder,
         };
         HelpExamples.Set(command, k_Examples);
         command.SetAction(parsed =>
@@ -53,6 +54,8 @@ internal static class FilmCommand
             bool isFree = parsed.GetValue(free);
             if (isFree && (parsed.GetValue(compare) || parsed.GetValue(variant) != null || parsed.GetValue(speed) != null))
                 throw new UserException("--free flies with the variant flight; it takes neither --compare, --variant nor --speed.");
+            if (parsed.GetValue(wake) && (isFree || parsed.GetValue(compare)))
+                throw new UserException("--wake goes with one insect on the spot, neither with --free nor with --compare.");
             if (parsed.GetValue(slowSound) && parsed.GetValue(sound) == null)
                 throw new UserException("--slow-sound needs --sound FILE.wav.");
             InsectVariant shown = isFree ? InsectVariant.Flight : parsed.GetValue(variant) ?? InsectVariant.Standard;
@@ -68,6 +71,7 @@ internal static class FilmCommand
                 },
                 Columns = parsed.GetValue(compare) ? ComparisonColumn.All : [ComparisonColumn.FullModel],
                 IsFree = isFree,
+                HasWake = parsed.GetValue(wake),
                 Beats = parsed.GetValue(beats) ?? (isFree ? FilmPlan.FreeBeats : FilmPlan.DefaultBeats),
                 Frames = parsed.GetValue(frames) ?? (isFree ? FilmPlan.FreeFrames : FilmPlan.DefaultFrames),
                 Rate = parsed.GetValue(rate) ?? FilmPlan.DefaultRate,
@@ -115,6 +119,7 @@ internal static class FilmCommand
         + "  film monarch --variant expressive --turn 360 --beats 4\n"
         + "  film fishfly --compare --width 1200\n"
         + "  film monarch --free\n"
+        + "  film monarch --variant flight --wake --beats 1\n"
         + "  film dragonfly --sound dragonfly.wav\n\n"
         + "Writes into the output folder:\n"
         + "  film.png         the film, an animated PNG that browsers and README pages play in a loop, with --free once\n"

@@ -10,12 +10,14 @@ internal sealed class Film
     private readonly FilmPlan m_Plan;
     private readonly List<FlightRecord> m_Flights;
     private readonly Func<int, FilmMoment> m_At;
+    private readonly WakePhoto m_Wake;
 
-    private Film(FilmPlan plan, List<FlightRecord> flights, Func<int, FilmMoment> at)
+    private Film(FilmPlan plan, List<FlightRecord> flights, Func<int, FilmMoment> at, WakePhoto wake = null)
     {
         m_Plan = plan;
         m_Flights = flights;
         m_At = at;
+        m_Wake = wake;
     }
 
     public int Count => m_Plan.Beats * m_Plan.Frames;
@@ -35,7 +37,15 @@ internal sealed class Film
 
         var flights = plan.Columns.Select(column => TetheredFlight.Fly(plan.Flight with { Column = column })).ToList();
         return new Film(
-            plan, flights, frame => new FilmMoment((double)frame % plan.Frames / plan.Frames, quaternion.identity, float3.zero, []));
+            plan, flights, frame => new FilmMoment((double)frame % plan.Frames / plan.Frames, quaternion.identity, float3.zero, []),
+            plan.HasWake ? Shed(flights[0], plan.Frames) : null);
+    }
+
+    // With a step at each frame.
+    private static WakePhoto Shed(FlightRecord flight, int frames)
+    {
+        using var wake = WakeFlight.Smooth(flight, new WakePlan(), frames);
+        return new WakePhoto(wake, WakePicture.k_Beats);
     }
 
     /// <summary>Paints every frame.</summary>
@@ -51,6 +61,8 @@ internal sealed class Film
             frames.Add(scenes.ConvertAll(scene =>
             {
                 PhotoScene seen = scene.From(view);
+                if (m_Wake != null)
+                    seen = m_Wake.AddTo(seen, m_Wake.Steps / m_Plan.Frames * (frame % m_Plan.Frames));
                 return (seen, seen.PoseAt(at.Turns, at.Turn, at.Way, at.Trail));
             }));
         }

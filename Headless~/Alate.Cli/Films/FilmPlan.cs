@@ -15,6 +15,9 @@ internal sealed record FilmPlan
     /// <summary>True where the insect flies about by its own wings.</summary>
     public bool IsFree { get; init; }
 
+    /// <summary>True where the vortex rings that the wings leave are shown.</summary>
+    public bool HasWake { get; init; }
+
     public int Beats { get; init; } = DefaultBeats;
 
     /// <summary>Frames of a beat.</summary>

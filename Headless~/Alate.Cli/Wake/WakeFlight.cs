@@ -75,10 +75,14 @@ internal sealed class WakeFlight : IDisposable
     /// <summary>Frees the memory.</summary>
     public void Dispose() => m_Wake.Dispose();
 
-    /// <summary>Sheds the wake of this flight again, as pictures show it: in finer steps, with wider cores.</summary>
-    public WakeFlight Smooth()
+    /// <summary>Sheds the wake of a flight as pictures show it: in fine steps, with wide cores.</summary>
+    /// <param name="flight">The flight.</param>
+    /// <param name="plan">The wake, whose steps and cores are not taken.</param>
+    /// <param name="frames">Moments of a beat that the steps must meet.</param>
+    public static WakeFlight Smooth(FlightRecord flight, WakePlan plan, int frames = 1)
     {
-        var smooth = new WakeFlight(Flight, Plan with { StepsPerBeat = k_SmoothSteps, FarCore = k_SmoothCore });
+        int steps = (k_SmoothSteps + frames - 1) / frames * frames;
+        var smooth = new WakeFlight(flight, plan with { StepsPerBeat = steps, FarCore = k_SmoothCore });
         smooth.Run(_ => { });
         return smooth;
     }

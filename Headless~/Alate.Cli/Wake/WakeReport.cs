@@ -49,7 +49,7 @@ internal static class WakeReport
 
     private static void Show(WakeFlight wake, OutputFolder folder)
     {
-        using WakeFlight smooth = wake.Smooth();
+        using var smooth = WakeFlight.Smooth(wake.Flight, wake.Plan);
         folder.Write(k_Picture, stream => stream.Write(WakePicture.Draw(smooth)));
         folder.Write(k_Glb, stream => WingsGlb.Write(wake.Flight, stream, beside: new WakeGlb(new WakeLoop(smooth))));
     }

@@ -43,7 +43,7 @@ namespace Alate.Tests.Architecture
                     ["Projects"] = ["Base"],
                     ["Flights"] = ["Base"],
                     ["Bakes"] = ["Base"],
-                    ["Films"] = ["Base", "Flights"],
+                    ["Films"] = ["Base", "Flights", "Wake"],
                     ["Wake"] = ["Base", "Flights"],
                     ["Studies"] = ["Base", "Flights"],
                     ["Live"] = ["Base", "Flights"],

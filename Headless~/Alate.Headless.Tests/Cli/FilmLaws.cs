@@ -53,6 +53,21 @@ public sealed class FilmLaws
     }
 
     [Test]
+    public void AFilmWithAWake_ShowsRings_InEveryFrame_AndHoldsThem()
+    {
+        var plan = new FilmPlan { Flight = new FlightPlan { Species = "monarch" }, Frames = 4, Beats = 1, Width = 120, HasWake = true };
+        var film = Film.Fly(plan);
+        List<UnityEngine.Color32[]> frames = film.Draw(_ => { });
+        int width = film.Size.x;
+        int[] reds = [.. frames.Select(frame => frame.Count(pixel => pixel.r > pixel.g + 25 && pixel.r < pixel.b + 90))];
+
+        Assert.That(reds, Is.All.GreaterThan(100), "paler than a monarch's orange");
+        int[] sides = [.. Enumerable.Range(0, width * film.Size.y).Where(k => k % width is 0 or 119)];
+        Assert.That(frames.TrueForAll(frame => sides.All(k => frame[k].Equals(frame[0]))), "paper at both sides");
+        Assert.That(film.Count, Is.EqualTo(4));
+    }
+
+    [Test]
     public void TheInsect_LooksAheadInTheMiddleOfTheFilm()
     {
         FreeStretch stretch = Stretch(100, 2, 16);

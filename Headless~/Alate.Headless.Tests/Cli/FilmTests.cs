@@ -100,6 +100,12 @@ namespace Alate.Tests.Cli
             using var run = new CommandRun();
 
             Assert.That(run.Run("film", "monarch", "--free", "--compare", "--out", run.Out), Is.EqualTo(2));
+            foreach (string other in new[] { "--free", "--compare" })
+            {
+                Assert.That(run.Run("film", "monarch", other, "--wake", "--out", run.Out), Is.EqualTo(2));
+                Assert.That(run.Errors, Does.Contain("neither with --free nor with --compare"));
+            }
+
             Assert.That(run.Errors, Does.Contain("--free flies"));
         }
     }

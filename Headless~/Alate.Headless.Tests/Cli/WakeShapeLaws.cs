@@ -179,7 +179,8 @@ public sealed class WakeShapeLaws
     public void ThePicture_ShowsRingsOfBothColours_BehindTheInsect_AndSaysHowStrongTheyAre()
     {
         PixelPage page = WakePicture.Compose(m_Wake);
-        float strongest = WakeColours.Strongest(m_Wake.Shapes[k_Steps / 2].Select(sheet => sheet.Newest(3 * k_Steps / 2 + 1)));
+        float strongest = new WakePhoto(m_Wake, 1.5).Strongest;
+        Assert.That(strongest, Is.EqualTo(WakeColours.Strongest(m_Wake.Shapes.SelectMany(sheets => sheets))));
         var picture = PngFile.Read(page.Write());
         int Columns(Func<Color32, bool> isSeen, Func<IEnumerable<int>, int> which) => which(
             Enumerable.Range(0, picture.Pixels.Length).Where(k => isSeen(picture.Pixels[k]) && k % picture.Width > picture.Width / 2)
@@ -202,10 +203,10 @@ public sealed class WakeShapeLaws
         using var wake = new WakeFlight(TetheredFlight.Fly(plan), new WakePlan());
         double Lift(WakeFlight flight) => flight.Run(_ => { }).Average(at => at.Force.y);
         double lift = Lift(wake);
-        using WakeFlight smooth = wake.Smooth();
+        using var smooth = WakeFlight.Smooth(wake.Flight, wake.Plan, 16);
         using var again = new WakeFlight(wake.Flight, smooth.Plan);
 
-        Assert.That(smooth.Shapes, Has.Count.EqualTo(40));
+        Assert.That(smooth.Shapes, Has.Count.EqualTo(48), "the least of 40 steps and more that meets sixteen moments");
         Assert.That(Lift(again), Is.EqualTo(lift).Within(2).Percent);
     }
 }

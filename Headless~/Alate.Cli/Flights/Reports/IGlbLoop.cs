@@ -2,7 +2,7 @@ using System.Text.Json.Nodes;
 
 namespace Alate.Cli;
 
-/// <summary>Something beside an insect in a glTF file that moves in a loop of whole beats.</summary>
+/// <summary>Nodes beside an insect in a glTF file, which move in a loop of whole beats.</summary>
 internal interface IGlbLoop
 {
     /// <summary>Beats of the loop.</summary>
