@@ -73,6 +73,32 @@ namespace Alate.Wake
             return new WakeSheet(m_Wings[wing].Sheet);
         }
 
+        /// <summary>
+        /// Computes the velocities that the vortices of all wings and wakes have given to the air at the moment of the last step; the
+        /// stream is not in them.
+        /// </summary>
+        /// <param name="points">Places; any number.</param>
+        /// <param name="velocities">[point] Reference lengths a beat.</param>
+        /// <exception cref="ArgumentException">There are more places than velocities.</exception>
+        /// <exception cref="InvalidOperationException">No step has been done.</exception>
+        public void Velocities(ReadOnlySpan<float3> points, Span<float3> velocities)
+        {
+            if (points.Length > velocities.Length)
+                throw new ArgumentException($"{points.Length} points need as many velocities; there are {velocities.Length}.");
+            if (StepCount == 0)
+                throw new InvalidOperationException("A wake induces nothing before its first step.");
+            for (int first = 0; first < points.Length; first += m_Field.PointCapacity)
+            {
+                int count = math.min(m_Field.PointCapacity, points.Length - first);
+                m_Field.SetPointCount(count);
+                for (int k = 0; k < count; k++)
+                    m_Field.SetPoint(k, points[first + k]);
+                m_Field.Induce();
+                for (int k = 0; k < count; k++)
+                    velocities[first + k] = m_Field.Velocity(k);
+            }
+        }
+
         /// <summary>Frees the memory.</summary>
         public void Dispose()
         {
@@ -99,6 +125,8 @@ namespace Alate.Wake
 
             if (!m_Solver.Solve(m_Field, StepCount))
                 Failures++;
+            foreach (WingState wing in m_Wings)
+                wing.WriteBound(m_Field);
             StepCount++;
         }
 
@@ -112,11 +140,7 @@ namespace Alate.Wake
         {
             int count = 0;
             foreach (WingState wing in m_Wings)
-            {
-                wing.WriteBound(m_Field);
                 count += wing.Sheet.PointCount;
-            }
-
             m_Field.SetPointCount(count);
             int first = 0;
             foreach (WingState wing in m_Wings)

@@ -36,6 +36,7 @@ internal static class WakeCommand
         + "Writes into the output folder:\n"
         + "  wake.csv      force and power of each wing over the last beat, with the wake and without, N and W\n"
         + "  inflow.json   mean and two harmonics of the air that the wake sets moving at each wing, m/s\n"
+        + "  plane.csv     velocity and vorticity of the air in a plane behind the insect, mean of the last beat, and plane.svg\n"
         + "  wake.png      the insect at the end of its downstroke and the vortex rings of one and a half beats\n"
         + "  wake.glb      the beat with the rings that its wings leave, as a looped 3D animation (glTF 2.0), metres\n\n"
         + "Exit code: 0 when all is written, 2 for bad usage or input (nothing is written then).\n";

@@ -16,6 +16,7 @@ internal sealed class WakeFlight : IDisposable
         Plan = plan;
         Length = flight.Wings.Max(wing => wing.Wing.Preset.WingLength);
         Period = 1.0 / flight.Wings[0].Frequency;
+        Plane = new WakePlane(flight.Plan, plan.Plane ?? Length, Length, Period);
         m_Density = plan.Density ?? flight.Wings[0].Wing.Preset.Size.fluidDensity;
         float3 air = flight.Plan.AirInBodyAxes;
         IsSymmetric = air.x == 0f;
@@ -72,6 +73,9 @@ internal sealed class WakeFlight : IDisposable
     /// <summary>[step of the last beat] Sheets of all wings; of left ones too where right ones alone are computed.</summary>
     public List<List<ShapedSheet>> Shapes { get; } = [];
 
+    /// <summary>Air behind the insect over the last beat.</summary>
+    public WakePlane Plane { get; }
+
     /// <summary>Frees the memory.</summary>
     public void Dispose() => m_Wake.Dispose();
 
@@ -101,6 +105,7 @@ internal sealed class WakeFlight : IDisposable
             {
                 moments.Add(Moment(time - (Plan.Beats - 1)));
                 Shapes.Add(Shape());
+                Plane.Add(m_Wake);
             }
 
             progress(k + 1);

@@ -33,11 +33,11 @@ internal sealed class WakePhoto
 
     private PhotoPart Part(ShapedSheet sheet, int index)
     {
-        float4[] colours = new float4[sheet.Points.Length];
+        var colours = new float4[sheet.Points.Length];
         for (int k = 0; k < colours.Length; k++)
         {
             int row = Math.Min(k / sheet.Width, sheet.Rows - 2);
-            var shown = WakeColours.Of(sheet.CirculationAt(row, k % sheet.Width) / Strongest);
+            float4 shown = WakeColours.Of(sheet.CirculationAt(row, k % sheet.Width) / Strongest);
             colours[k] = new float4(Shading.ToLinear(shown.xyz), (1f - k_Faded * row / sheet.Rows) * shown.w);
         }
 

@@ -26,6 +26,9 @@ internal sealed record WakePlan
     /// <summary>Height of the middle of the thorax above a ground, metres; null for none.</summary>
     public double? Ground { get; init; }
 
+    /// <summary>Metres from the middle of the thorax to the plane behind it; null is the length of a wing.</summary>
+    public double? Plane { get; init; }
+
     /// <summary>True where the rings are shown.</summary>
     public bool IsDrawn { get; init; } = true;
 

@@ -3,7 +3,8 @@ namespace Alate.Cli;
 /// <summary>Flies a plan, computes the wake of its last beat, and writes what came of it: all of the files or none.</summary>
 internal static class WakeReport
 {
-    private const string k_Table = "wake.csv", k_Inflow = "inflow.json", k_Picture = "wake.png", k_Glb = "wake.glb";
+    private const string k_Table = "wake.csv", k_Inflow = "inflow.json", k_Picture = "wake.png", k_Glb = "wake.glb", k_Plane = "plane.csv",
+        k_PlanePicture = "plane.svg";
 
     /// <summary>
     /// Substeps of a flight that is not told any: at the default ones lift is up to 15 % low, which would be taken for the wake's.
@@ -17,7 +18,7 @@ internal static class WakeReport
         var insect = Insect.Of(plan);
         PlanRange.CheckElasticity(plan, plan.Elasticity);
         string path = plan.Folder ?? Path.Combine("out", insect.Name + "-wake");
-        string[] shown = wake.IsDrawn ? [k_Picture, k_Glb] : [], files = [k_Table, k_Inflow, .. shown];
+        string[] shown = wake.IsDrawn ? [k_PlanePicture, k_Picture, k_Glb] : [], files = [k_Table, k_Inflow, k_Plane, .. shown];
         using var folder = OutputFolder.Prepare(path, files);
         var terminal = new Terminal(output);
         using var rounds = new WakeRounds(plan, insect, wake);
@@ -39,6 +40,7 @@ internal static class WakeReport
             stage("writing");
             folder.Write(k_Table, stream => CsvTable.Write(stream, WakeTable.Of(rounds)));
             folder.Write(k_Inflow, stream => InflowJson.Write(rounds.Wake, rounds.Found, stream));
+            folder.Write(k_Plane, stream => CsvTable.Write(stream, rounds.Wake.Plane.Table()));
             terminal.ShowTable($"{insect.DisplayName} with its wake", WakeTable.Summary(rounds));
             if (wake.Rounds > 1)
                 terminal.ShowTable("Rounds of flight and wake", WakeTable.Convergence(rounds));
@@ -49,6 +51,8 @@ internal static class WakeReport
 
     private static void Show(WakeFlight wake, OutputFolder folder)
     {
+        folder.Write(k_PlanePicture, stream => stream.Write(
+            Encoding.UTF8.GetBytes(WakePlanePicture.Draw(wake.Plane, wake.Flight.Insect.DisplayName))));
         using var smooth = WakeFlight.Smooth(wake.Flight, wake.Plan);
         folder.Write(k_Picture, stream => stream.Write(WakePicture.Draw(smooth)));
         folder.Write(k_Glb, stream => WingsGlb.Write(wake.Flight, stream, beside: new WakeGlb(new WakeLoop(smooth))));

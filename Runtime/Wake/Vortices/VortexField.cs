@@ -29,11 +29,15 @@ namespace Alate.Wake
         public VortexField(int vertices, int points, MirrorImages images)
         {
             m_Images = images;
+            PointCapacity = points;
             int quartets = images.Count * Padded(points) / k_Lanes;
             m_Vertices = new NativeArray<VortexVertex>(vertices, Allocator.Persistent);
             m_Points = new NativeArray<SoaFloat3>(quartets, Allocator.Persistent);
             m_Velocities = new NativeArray<SoaFloat3>(quartets, Allocator.Persistent);
         }
+
+        /// <summary>Most points at a time, images apart.</summary>
+        public int PointCapacity { get; }
 
         /// <summary>Number of influences of segments on points that were computed since the start.</summary>
         public long Influences { get; private set; }

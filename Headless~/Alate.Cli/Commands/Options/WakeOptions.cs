@@ -41,12 +41,15 @@ internal sealed class WakeOptions
     private readonly Option<double?> m_Ground = Numbers.Optional(
         "--ground", "M", 0.001, 1000, "Height of the thorax above a ground, metres. [default: no ground]");
 
+    private readonly Option<double?> m_Plane = Numbers.Optional(
+        "--plane", "M", 0, 1000, "Distance of the plane of plane.csv behind the thorax, metres. [default: the length of a wing]");
+
     private readonly Option<bool> m_NoPictures =
-        new("--no-pictures") { Description = "Neither wake.png nor wake.glb: for many runs one after the other." };
+        new("--no-pictures") { Description = "Neither plane.svg, wake.png nor wake.glb: for many runs one after the other." };
 
     public void AddTo(Command command)
     {
-        Option[] all = [m_Method, m_Downwash, m_Beats, m_Rounds, m_Steps, m_Across, m_Along, m_Keep, m_Ground, m_NoPictures];
+        Option[] all = [m_Method, m_Downwash, m_Beats, m_Rounds, m_Steps, m_Across, m_Along, m_Keep, m_Ground, m_Plane, m_NoPictures];
         foreach (Option option in all)
             command.Options.Add(option);
     }
@@ -72,6 +75,7 @@ internal sealed class WakeOptions
             SpanPanels = parsed.GetValue(m_Along) ?? usual.SpanPanels,
             Keep = parsed.GetValue(m_Keep) ?? usual.Keep,
             Ground = parsed.GetValue(m_Ground),
+            Plane = parsed.GetValue(m_Plane),
             IsDrawn = !parsed.GetValue(m_NoPictures),
         };
     }

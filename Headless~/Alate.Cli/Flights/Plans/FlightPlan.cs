@@ -179,6 +179,9 @@ internal sealed record FlightPlan
     /// <summary>Velocity of the air against the body, in axes of the body, m/s.</summary>
     public float3 AirInBodyAxes => ToBody(AirPastBody, math.radians((float)PitchDegrees));
 
+    /// <summary>A direction of the world as the body sees it.</summary>
+    public float3 ToBody(float3 world) => ToBody(world, math.radians((float)PitchDegrees));
+
     /// <summary>A direction of the body as the world sees it.</summary>
     public float3 ToWorld(float3 body) => ToBody(body, -math.radians((float)PitchDegrees));
 
