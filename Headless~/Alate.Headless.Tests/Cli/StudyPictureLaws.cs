@@ -76,6 +76,9 @@ public sealed class StudyPictureLaws
         XElement[] first = [.. svg.Elements(s_Svg + "path").Where(path => ((string)path.Attribute("clip-path")) == "url(#c12-136)")];
         string[] texts = Texts(svg);
 
+        Assert.That(svg.Element(s_Svg + "title").Value,
+            Is.EqualTo(inGusts ? "Stretch of wings over the speed of gusts" : "Stretch of wings over the speed of wind"));
+        Assert.That(texts.Count(text => text.Contains("over the speed of " + (inGusts ? "gusts" : "a steady wind"))), Is.EqualTo(1));
         Assert.That(first, Has.Length.EqualTo(4), "limits, both versions' largest, a percentile");
         double[] limits = variant == InsectVariant.Expressive ? [15, 20, 28] : [10, 12, 15];
         AssertPlaces(first[0], [(0, limits[0]), (3, limits[0]), (3, limits[1]), (5, limits[1]), (5, limits[2]), (8, limits[2])], X, Y);

@@ -12,6 +12,43 @@ public sealed class SurfaceLaws
 {
     private static readonly float3 s_Paper = new(0.9f, 0.8f, 0.7f);
 
+    // Seen twice at an edge of its triangles, a sheet counts once; two surfaces on one place are two.
+    [Test]
+    public void TwoSurfacesOnOnePlace_AreDenserThanOneThatIsDrawnTwice()
+    {
+        float3[] places = [new(5f, 5f, 1f), new(55f, 6f, 1f), new(20f, 55f, 1f)], normals = [.. places.Select(_ => new float3(0f, 1f, 0f))];
+        float4[] values = [.. places.Select(_ => new float4(0.1f, 0.1f, 0.1f, 0.5f))];
+        var shading = new Shading(new PictureCamera(PictureView.FrontLeft, 5f));
+        int Sum(params int[] indices)
+        {
+            var grid = new SampleGrid(20, 20);
+            foreach (int index in indices)
+            {
+                PhotoSurface.Thin(index, places, [0, 1, 2], values, (value, _) => value, hasEdge: false)
+                    .Draw(grid, places, normals, shading, 0.1f);
+            }
+
+            return grid.Pixels(s_Paper).Sum(pixel => pixel.r);
+        }
+
+        Assert.That(Sum(1, 1), Is.EqualTo(Sum(1)));
+        Assert.That(Sum(1, 2), Is.LessThan(Sum(1) - 4000));
+    }
+
+    [TestCase("front", 0f, 8f)]
+    [TestCase("side", 90f, 4f)]
+    [TestCase("top", 180f, 90f)]
+    [TestCase("back", 180f, 24f)]
+    [TestCase("front-left", 36f, 28f)]
+    public void ASide_IsThatOfItsName(string name, float aside, float above)
+    {
+        float3 towards = new PictureCamera(PictureView.ByName[name], 5f).Towards;
+        float a = math.radians(aside), h = math.radians(above);
+
+        float3 expected = new(-math.sin(a) * math.cos(h), math.sin(h), math.cos(a) * math.cos(h));
+        Assert.That(math.distance(towards, expected), Is.LessThan(1e-5f), "left of the insect is −x, ahead +z");
+    }
+
     // A wing of one triangle, sample by sample: its light, and over it a line of 1.1 pixels along each side, 3/10 as light, of the mean of
     // what its ends have, that begins and ends a quarter of its width beyond them.
     [TestCase(1f, 1.01f, 1.02f)]

@@ -36,6 +36,15 @@ namespace Alate.Editor.Tests
         }
 
         [Test]
+        public void Numbers_AreAsShortAsTheyCanBe()
+        {
+            WingSkeleton written = TestWings.Fan();
+            written.Hinge = new Vector3(0.1f, 1e-5f, 3.3f);
+
+            Assert.That(SkeletonJson.Write(written), Does.Contain("[0.1,1E-05,3.3]").Or.Contain("[0.1, 1E-05, 3.3]"));
+        }
+
+        [Test]
         public void MeasuredStiffness_ComesBackToTheLastBit_AndOnlyWhereItWas()
         {
             WingSkeleton written = TestWings.Fan(4);

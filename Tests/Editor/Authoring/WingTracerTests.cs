@@ -1,4 +1,6 @@
 using System;
+using System.Linq;
+using System.Text.RegularExpressions;
 using Alate.Authoring;
 using NUnit.Framework;
 using UnityEngine;
@@ -111,7 +113,10 @@ namespace Alate.Editor.Tests
             WingTrace faint = WingTracer.Trace(spotlight.Fill(place.Outline, brown).ToPicture(), WingTracingSettings.Default);
 
             Assert.That(clear.Warnings, Has.None.Contains("faint"));
-            Assert.That(faint.Warnings, Has.Some.Contains("faint"));
+            string said = faint.Warnings.First(warning => warning.Contains("faint"));
+            Match share = Regex.Match(said, @" faint on (\d+) % of");
+            Assert.That(share.Success, Is.True, said);
+            Assert.That(int.Parse(share.Groups[1].Value), Is.InRange(10, 90), said);
             Assert.That(faint.Confidence, Is.LessThan(0.8f * clear.Confidence));
         }
 

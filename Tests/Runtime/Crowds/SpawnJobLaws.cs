@@ -111,6 +111,24 @@ namespace Alate.Tests.Crowds
         }
 
         [Test]
+        public void Sizes_LieEvenlyAroundOne_AsFarAsTheyVary()
+        {
+            SpawnJob job = Job(0f);
+            job.sizes = 0.4f;
+            float least = 2f, most = 0f, sum = 0f;
+            foreach (CrowdPose pose in Place(job))
+            {
+                least = math.min(least, pose.scale);
+                most = math.max(most, pose.scale);
+                sum += pose.scale / k_Count;
+            }
+
+            Assert.That(least, Is.InRange(0.6f, 0.65f));
+            Assert.That(most, Is.InRange(1.35f, 1.4f));
+            Assert.That(sum, Is.EqualTo(1f).Within(0.05f));
+        }
+
+        [Test]
         public void ABoxWithoutWidth_HoldsThemAllTheSame()
         {
             SpawnJob job = Job(4f);
