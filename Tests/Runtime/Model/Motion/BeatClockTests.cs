@@ -93,6 +93,38 @@ namespace Alate.Tests
             Assert.That(beat.pitchedUp, Is.EqualTo(new float4(1f, 0f, 0f, 0f)));
         }
 
+        // Four beats back: the latest delays ask for them.
+        [Test]
+        public void AReset_ForgetsAllBeatsOfTheChosenWings_AndAddsABeatToNoOther()
+        {
+            LaneParameters parameters = Lanes.Parameters(WingParameters.Default);
+            LaneSurroundings air = default;
+            BeatState beat = default;
+            BeatClock.Reset(ref beat, parameters, air, true);
+            SoaFloat3 fresh = beat.amplitude;
+            for (int round = 0; round < 5; round++)
+            {
+                air.speed = 0.5f * round;
+                FinishCycle(ref beat, parameters, air);
+            }
+
+            BeatState flown = beat;
+            air = default;
+            BeatClock.Reset(ref beat, parameters, air, new bool4(true, false, true, false));
+            SoaFloat3[] now = { beat.amplitude, beat.amplitude1, beat.amplitude2, beat.amplitude3, beat.amplitude4 };
+            SoaFloat3[] before = { flown.amplitude, flown.amplitude1, flown.amplitude2, flown.amplitude3, flown.amplitude4 };
+            for (int back = 0; back < now.Length; back++)
+            {
+                for (int lane = 0; lane < 4; lane++)
+                {
+                    float3 expected = lane % 2 == 0 ? fresh[lane] : before[back][lane];
+                    Assert.That(now[back][lane], Is.EqualTo(expected), $"{back} beats back, lane {lane}");
+                }
+            }
+
+            Assert.That(math.distance(before[0][0], before[4][0]), Is.GreaterThan(1e-3f), "beats differ");
+        }
+
         private static double Sigmoid(double share) => 1.0 / (1.0 + Math.Exp(-16.0 * (share - 0.5)));
 
         private static void FinishCycle(ref BeatState beat, in LaneParameters parameters, in LaneSurroundings air)
