@@ -9,14 +9,17 @@ internal sealed class WakeFlight : IDisposable
     private readonly double m_Density;
 
     /// <summary>Lays lattices on the wings; nothing has been shed yet.</summary>
+    /// <param name="flight">The flight.</param>
+    /// <param name="plan">The wake.</param>
+    /// <param name="isShown">True to keep the rings and the air of the last beat, which takes memory and time.</param>
     /// <exception cref="UserException">A number of the plan is out of its range, or a wing has no area.</exception>
-    public WakeFlight(FlightRecord flight, WakePlan plan)
+    public WakeFlight(FlightRecord flight, WakePlan plan, bool isShown = false)
     {
         Flight = flight;
         Plan = plan;
         Length = flight.Wings.Max(wing => wing.Wing.Preset.WingLength);
         Period = 1.0 / flight.Wings[0].Frequency;
-        Plane = new WakePlane(flight.Plan, plan.Plane ?? Length, Length, Period);
+        Plane = isShown ? new WakePlane(flight.Plan, plan.Plane ?? Length, Length, Period) : null;
         m_Density = plan.Density ?? flight.Wings[0].Wing.Preset.Size.fluidDensity;
         float3 air = flight.Plan.AirInBodyAxes;
         IsSymmetric = air.x == 0f;
@@ -50,6 +53,10 @@ internal sealed class WakeFlight : IDisposable
     private const int k_SmoothSteps = 40;
     private const double k_SmoothCore = 0.8;
 
+    /// <summary>Most panels along the span, and oldest wake in beats, that are shown: files stay of some megabytes.</summary>
+    private const int k_MostShown = 24;
+    private const double k_OldestShown = 3.0;
+
     /// <summary>Kinematic viscosity of air at 20 °C, m²/s.</summary>
     private const double k_AirViscosity = 1.5e-5;
 
@@ -70,10 +77,12 @@ internal sealed class WakeFlight : IDisposable
 
     public FreeWake Wake => m_Wake;
 
-    /// <summary>[step of the last beat] Sheets of all wings; of left ones too where right ones alone are computed.</summary>
+    /// <summary>
+    /// [step of the last beat] Sheets of all wings, of left ones too where right ones alone are computed; none where they are not shown.
+    /// </summary>
     public List<List<ShapedSheet>> Shapes { get; } = [];
 
-    /// <summary>Air behind the insect over the last beat.</summary>
+    /// <summary>Air behind the insect over the last beat; null where it is not shown.</summary>
     public WakePlane Plane { get; }
 
     /// <summary>Frees the memory.</summary>
@@ -86,7 +95,13 @@ internal sealed class WakeFlight : IDisposable
     public static WakeFlight Smooth(FlightRecord flight, WakePlan plan, int frames = 1)
     {
         int steps = (k_SmoothSteps + frames - 1) / frames * frames;
-        var smooth = new WakeFlight(flight, plan with { StepsPerBeat = steps, FarCore = k_SmoothCore });
+        var smooth = new WakeFlight(flight, plan with
+        {
+            StepsPerBeat = steps,
+            FarCore = k_SmoothCore,
+            SpanPanels = Math.Min(plan.SpanPanels, k_MostShown),
+            Keep = Math.Min(plan.Keep, k_OldestShown),
+        }, isShown: true);
         smooth.Run(_ => { });
         return smooth;
     }
@@ -104,8 +119,11 @@ internal sealed class WakeFlight : IDisposable
             if (k >= steps - Plan.StepsPerBeat)
             {
                 moments.Add(Moment(time - (Plan.Beats - 1)));
-                Shapes.Add(Shape());
-                Plane.Add(m_Wake);
+                if (Plane != null)
+                {
+                    Shapes.Add(Shape());
+                    Plane.Add(m_Wake);
+                }
             }
 
             progress(k + 1);

@@ -18,7 +18,7 @@ internal static class WakeReport
         var insect = Insect.Of(plan);
         PlanRange.CheckElasticity(plan, plan.Elasticity);
         string path = plan.Folder ?? Path.Combine("out", insect.Name + "-wake");
-        string[] shown = wake.IsDrawn ? [k_PlanePicture, k_Picture, k_Glb] : [], files = [k_Table, k_Inflow, k_Plane, .. shown];
+        string[] shown = wake.IsDrawn ? [k_Plane, k_PlanePicture, k_Picture, k_Glb] : [], files = [k_Table, k_Inflow, .. shown];
         using var folder = OutputFolder.Prepare(path, files);
         var terminal = new Terminal(output);
         using var rounds = new WakeRounds(plan, insect, wake);
@@ -40,7 +40,6 @@ internal static class WakeReport
             stage("writing");
             folder.Write(k_Table, stream => CsvTable.Write(stream, WakeTable.Of(rounds)));
             folder.Write(k_Inflow, stream => InflowJson.Write(rounds.Wake, rounds.Found, stream));
-            folder.Write(k_Plane, stream => CsvTable.Write(stream, rounds.Wake.Plane.Table()));
             terminal.ShowTable($"{insect.DisplayName} with its wake", WakeTable.Summary(rounds));
             if (wake.Rounds > 1)
                 terminal.ShowTable("Rounds of flight and wake", WakeTable.Convergence(rounds));
@@ -51,9 +50,10 @@ internal static class WakeReport
 
     private static void Show(WakeFlight wake, OutputFolder folder)
     {
-        folder.Write(k_PlanePicture, stream => stream.Write(
-            Encoding.UTF8.GetBytes(WakePlanePicture.Draw(wake.Plane, wake.Flight.Insect.DisplayName))));
         using var smooth = WakeFlight.Smooth(wake.Flight, wake.Plan);
+        folder.Write(k_Plane, stream => CsvTable.Write(stream, smooth.Plane.Table()));
+        folder.Write(k_PlanePicture, stream => stream.Write(
+            Encoding.UTF8.GetBytes(WakePlanePicture.Draw(smooth.Plane, wake.Flight.Insect.DisplayName))));
         folder.Write(k_Picture, stream => stream.Write(WakePicture.Draw(smooth)));
         folder.Write(k_Glb, stream => WingsGlb.Write(wake.Flight, stream, beside: new WakeGlb(new WakeLoop(smooth))));
     }

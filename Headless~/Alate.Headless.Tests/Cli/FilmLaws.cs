@@ -53,6 +53,8 @@ public sealed class FilmLaws
     }
 
     [Test]
+    [Explicit]
+    [Category("Long")]
     public void AFilmWithAWake_ShowsRings_InEveryFrame_AndHoldsThem()
     {
         var plan = new FilmPlan { Flight = new FlightPlan { Species = "monarch" }, Frames = 4, Beats = 1, Width = 120, HasWake = true };

@@ -143,6 +143,12 @@ namespace Alate.Tests.Cli
         [TestCase("--induced-flow takes a finite number, not 'strong'.", "--induced-flow", "strong")]
         [TestCase("--added-mass is for flights on the spot; it does not go with --free.", "--added-mass", "--free")]
         [TestCase("--induced-flow is for flights on the spot; it does not go with --free.", "--induced-flow", "1", "--free")]
+        [TestCase("--speed is for flights on the spot; it does not go with --free.", "--free", "--speed", "0.5")]
+        [TestCase("--wind is for flights on the spot; it does not go with --free.", "--free", "--wind", "0,0,1")]
+        [TestCase("--elasticity is for flights on the spot; it does not go with --free.", "--free", "--elasticity", "0.5")]
+        [TestCase("--view is for flights on the spot; it does not go with --free.", "--free", "--view", "top")]
+        [TestCase(
+            "--free flies with the variant flight; it does not go with --variant expressive.", "--free", "--variant", "expressive")]
         public void BadUsage_IsOneLine(string message, params string[] options)
         {
             using var run = new CommandRun();

@@ -24,9 +24,9 @@ public sealed class WakeShapeLaws
     {
         var plan = new FlightPlan { Species = "dragonfly", Speed = 1.5, Substeps = 24 };
         var wake = new WakePlan { StepsPerBeat = k_Steps, SpanPanels = 5, Keep = 1.5 };
-        m_Wake = new WakeFlight(TetheredFlight.Fly(plan), wake);
+        m_Wake = new WakeFlight(TetheredFlight.Fly(plan), wake, isShown: true);
         m_Wake.Run(_ => { });
-        m_Windy = new WakeFlight(TetheredFlight.Fly(plan with { Wind = [0.3, 0.0, 0.0] }), wake);
+        m_Windy = new WakeFlight(TetheredFlight.Fly(plan with { Wind = [0.3, 0.0, 0.0] }), wake, isShown: true);
         m_Windy.Run(_ => { });
     }
 
@@ -174,6 +174,8 @@ public sealed class WakeShapeLaws
     }
 
     [Test]
+    [Explicit]
+    [Category("Long")]
     public void ThePicture_ShowsRingsOfBothColours_BehindTheInsect_AndSaysHowStrongTheyAre()
     {
         PixelPage page = WakePicture.Compose(m_Wake);
@@ -206,5 +208,8 @@ public sealed class WakeShapeLaws
 
         Assert.That(smooth.Shapes, Has.Count.EqualTo(48), "the least of 40 steps and more that meets sixteen moments");
         Assert.That(Lift(again), Is.EqualTo(lift).Within(2).Percent);
+        Assert.That((wake.Shapes.Count, wake.Plane), Is.EqualTo((0, (WakePlane)null)), "kept where it is shown alone");
+        using var large = WakeFlight.Smooth(wake.Flight, new WakePlan { Beats = 1, SpanPanels = 60, Keep = 50 });
+        Assert.That((large.Plan.SpanPanels, large.Plan.Keep), Is.EqualTo((24, 3.0)));
     }
 }

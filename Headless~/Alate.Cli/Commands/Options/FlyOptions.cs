@@ -109,13 +109,16 @@ internal sealed class FlyOptions
     /// <summary>Simulated time; null is the default.</summary>
     public double? Seconds(ParseResult parsed) => parsed.GetValue(m_Seconds);
 
-    /// <summary>Checks the options of a free flight.</summary>
+    /// <summary>Checks the options of a free flight, which would change nothing in it.</summary>
     /// <exception cref="UserException">One is for flights on the spot alone.</exception>
     public void CheckFree(ParseResult parsed)
     {
-        Option given = new Option[] { m_Induced, m_AddedMass }.FirstOrDefault(option => parsed.GetResult(option) is { Implicit: false });
+        Option[] both = [m_Seconds, m_Variant, m_NoPictures, m_Out];
+        Option given = All.Except(both).FirstOrDefault(option => parsed.GetResult(option) is { Implicit: false });
         if (given != null)
             throw new UserException($"{given.Name} is for flights on the spot; it does not go with --free.");
+        if (parsed.GetValue(m_Variant) is { } variant and not InsectVariant.Flight)
+            throw new UserException($"--free flies with the variant flight; it does not go with --variant {KnownSpecies.Word(variant)}.");
     }
 
     /// <summary>Returns true where pictures are wanted.</summary>

@@ -45,7 +45,7 @@ internal sealed class WakeOptions
         "--plane", "M", 0, 1000, "Distance of the plane of plane.csv behind the thorax, metres. [default: the length of a wing]");
 
     private readonly Option<bool> m_NoPictures =
-        new("--no-pictures") { Description = "Neither plane.svg, wake.png nor wake.glb: for many runs one after the other." };
+        new("--no-pictures") { Description = "Neither the plane, wake.png nor wake.glb: for many runs one after the other." };
 
     public void AddTo(Command command)
     {
