@@ -27,7 +27,8 @@ internal static class Gallery
 
     /// <summary>The picture as a PNG file.</summary>
     /// <param name="width">About its width, pixels.</param>
-    public static byte[] Draw(int width)
+    /// <param name="hasWake">True where the vortex rings that the wings leave are shown.</param>
+    public static byte[] Draw(int width, bool hasWake = false)
     {
         int column = width / k_Columns, row = (int)(k_HeightOverWidth * column);
         int rows = (s_Exhibits.Length + k_Columns - 1) / k_Columns;
@@ -37,7 +38,7 @@ internal static class Gallery
         int aside = (rows * k_Columns - s_Exhibits.Length) * column / 2;
         for (int k = 0; k < s_Exhibits.Length; k++)
         {
-            Color32[] pixels = Photo(s_Exhibits[k], new int2(column, row));
+            Color32[] pixels = Photo(s_Exhibits[k], new int2(column, row), hasWake);
             int left = k % k_Columns * column + (k / k_Columns == rows - 1 ? aside : 0);
             for (int y = 0; y < row; y++)
                 Array.Copy(pixels, y * column, picture, (k / k_Columns * row + y) * k_Columns * column + left, column);
@@ -55,12 +56,20 @@ internal static class Gallery
 
     private static Exhibit Other(string species) => new(species, 0.25, 38f, 30f);
 
-    private static Color32[] Photo(in Exhibit exhibit, int2 size)
+    private static Color32[] Photo(in Exhibit exhibit, int2 size, bool hasWake)
     {
         InsectDefinition species = InsectCatalogue.Find(exhibit.Species);
         var plan = new FlightPlan { Species = species.Name, Variant = InsectVariant.Expressive, Speed = FlightPlan.CruiseOf(species) };
         using var flight = new TetheredFlight(plan, Insect.Of(plan));
-        PhotoScene scene = FlightPhoto.Scene(flight.Run(_ => { }), new PictureView("", exhibit.Aside, exhibit.Above));
+        FlightRecord record = flight.Run(_ => { });
+        PhotoScene scene = FlightPhoto.Scene(record, new PictureView("", exhibit.Aside, exhibit.Above));
+        if (hasWake)
+        {
+            using var wake = WakeFlight.Smooth(record, new WakePlan());
+            var rings = new WakePhoto(wake, WakePicture.k_Beats);
+            scene = rings.AddTo(scene, (int)Math.Round(exhibit.Turns * rings.Steps) % rings.Steps);
+        }
+
         Pose pose = scene.PoseAt(exhibit.Turns);
         return scene.Draw(pose, StripPanel.Around(pose, size, k_InsetOverWidth * size.x), 1f);
     }

@@ -31,7 +31,7 @@ internal sealed class WakeFlight : IDisposable
             Keep = (float)plan.Keep,
             Symmetric = IsSymmetric,
             Stream = air * (float)(Period / Length),
-            Viscosity = (float)(k_AirViscosity * Period / (Length * Length)),
+            Viscosity = (float)((m_Density > k_Liquid ? k_WaterViscosity : k_AirViscosity) * Period / (Length * Length)),
             Up = flight.Plan.UpOfBody,
         };
         settings.ChordPanels = plan.ChordPanels ?? settings.ChordPanels;
@@ -57,8 +57,8 @@ internal sealed class WakeFlight : IDisposable
     private const int k_MostShown = 24;
     private const double k_OldestShown = 3.0;
 
-    /// <summary>Kinematic viscosity of air at 20 °C, m²/s.</summary>
-    private const double k_AirViscosity = 1.5e-5;
+    /// <summary>Kinematic viscosities at 20 °C, m²/s, and the density that parts liquids from gases, kg/m³.</summary>
+    private const double k_AirViscosity = 1.5e-5, k_WaterViscosity = 1.0e-6, k_Liquid = 100.0;
 
     public FlightRecord Flight { get; }
     public WakePlan Plan { get; }

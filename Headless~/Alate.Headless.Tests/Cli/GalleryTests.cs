@@ -31,6 +31,23 @@ namespace Alate.Tests.Cli
         public void RemoveFolder() => m_Run.Dispose();
 
         [Test]
+        [Explicit]
+        [Category("Long")]
+        public void WithTheirWakes_InsectsAreSmaller_AndRingsFillTheCells()
+        {
+            using var run = new CommandRun();
+            Assert.That(run.Run("gallery", "--wake", "--width", k_Width.ToString(), "--out", run.Out), Is.Zero, run.Errors);
+            var picture = PngFile.Read(File.ReadAllBytes(Path.Combine(run.Out, "insects.png")));
+            Color32 paper = m_Picture.Pixels[0];
+            int Dark(PngFile one) => one.Pixels.Count(pixel => pixel.r + pixel.g + pixel.b < 200);
+
+            Assert.That((picture.Width, picture.Height), Is.EqualTo((m_Picture.Width, m_Picture.Height)));
+            Assert.That(Dark(picture), Is.LessThan(0.7 * Dark(m_Picture)));
+            Assert.That(picture.Pixels.Count(pixel => pixel.b > pixel.r + 15), Is.GreaterThan(300), "blue rings");
+            Assert.That(picture.Pixels[0], Is.EqualTo(paper));
+        }
+
+        [Test]
         public void ThePicture_HasACellForEachSpecies()
         {
             Assert.That(m_Picture.Width, Is.EqualTo(k_Width));
