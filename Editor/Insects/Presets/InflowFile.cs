@@ -44,7 +44,7 @@ namespace Alate.Editor
             inflow = default;
             if (content == null || content.version != k_Version || content.wings == null || content.wings.Length == 0)
                 return $"'{file}' is no inflow of version {k_Version}, as the command wake writes it.";
-            List<Entry> right = content.wings.Where(entry => entry.wing != null && entry.wing.StartsWith(k_Right)).ToList();
+            var right = content.wings.Where(entry => entry.wing != null && entry.wing.StartsWith(k_Right)).ToList();
             List<Entry> named = right.Count == 1 ? right : right.Where(entry => IsNamedAfter(preset, entry)).ToList();
             if (named.Count != 1)
             {

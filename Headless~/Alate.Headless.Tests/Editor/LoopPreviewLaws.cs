@@ -15,7 +15,6 @@ namespace Alate.Tests.Editor;
 public sealed class LoopPreviewLaws
 {
     private static readonly Rect s_Area = new(10f, 20f, 300f, 180f);
-    private InsectWings m_Insect;
     private InsectBake m_Bake;
     private LoopPreview m_Preview;
 
@@ -23,15 +22,10 @@ public sealed class LoopPreviewLaws
     public void Bake()
     {
         ProjectShaders.Add(WingMaterial.ShaderName, "Alate/Wing");
-        m_Insect = InsectFactory.Create("firefly");
-        m_Bake = InsectBaker.Bake(m_Insect, [BakeMotion.Find("rest"), BakeMotion.Find("cruise")], new BakeSettings(12));
+        InsectWings insect = InsectFactory.Create("firefly");
+        m_Bake = InsectBaker.Bake(insect, [BakeMotion.Find("rest"), BakeMotion.Find("cruise")], new BakeSettings(12));
         m_Preview = new LoopPreview(m_Bake);
-    }
-
-    [OneTimeTearDown]
-    public void Clear()
-    {
-        Object.DestroyImmediate(m_Insect.gameObject);
+        Object.DestroyImmediate(insect.gameObject);
         ProjectShaders.Clear();
     }
 

@@ -12,7 +12,7 @@ internal sealed class Trial(Coverage coverage, Func<WorkerProcess> worker)
 {
     private readonly HashSet<string> m_Steady = [], m_Unsteady = [];
 
-    /// <summary>Tests that fail alone, with no mutant alive.</summary>
+    /// <summary>Tests, and classes whose own set-up or tear-down, that fail in their company with no mutant alive.</summary>
     public IReadOnlyCollection<string> Unsteady => m_Unsteady;
 
     public Verdict Of(int mutant)
@@ -48,7 +48,12 @@ internal sealed class Trial(Coverage coverage, Func<WorkerProcess> worker)
     private TestGroup Without(TestGroup group)
     {
         lock (m_Steady)
-            return group with { Tests = group.Tests.Where(test => !m_Unsteady.Contains(test)).ToList() };
+        {
+            return group with
+            {
+                Tests = m_Unsteady.Contains(group.Type) ? [] : group.Tests.Where(test => !m_Unsteady.Contains(test)).ToList(),
+            };
+        }
     }
 
     private bool IsSteady(TestReport failed, List<TestGroup> groups)
