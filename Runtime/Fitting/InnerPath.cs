@@ -78,6 +78,8 @@ namespace Alate.Fitting
             int count = corners.Count;
             double[] lengths = new double[count], ways = new double[count];
             int[] before = new int[count], order = new int[count];
+            // Of two as long the earlier one, whatever the sort does.
+            var shorter = Comparer<int>.Create((a, b) => ways[a] != ways[b] ? ways[a].CompareTo(ways[b]) : a.CompareTo(b));
             for (int k = 1; k < count; k++)
             {
                 for (int earlier = 0; earlier < k; earlier++)
@@ -86,12 +88,12 @@ namespace Alate.Fitting
                     ways[earlier] = lengths[earlier] + Math.Sqrt((corners[k] - corners[earlier]).LengthSquared);
                 }
 
-                Array.Sort(ways, order, 0, k);
+                Array.Sort(order, 0, k, shorter);
                 int way = 0;
                 while (order[way] != k - 1 && !IsInside(outline, corners[order[way]], corners[k]))
                     way++;
-                lengths[k] = ways[way];
                 before[k] = order[way];
+                lengths[k] = ways[before[k]];
             }
 
             var path = new List<PlanPoint>();

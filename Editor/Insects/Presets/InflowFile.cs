@@ -16,6 +16,9 @@ namespace Alate.Editor
         /// <summary>Most bytes of a file.</summary>
         private const long k_Largest = 1 << 20;
 
+        /// <summary>Most wings of an insect, and letters of a wing's name.</summary>
+        private const int k_MostWings = 8, k_LongestName = 60;
+
         /// <summary>
         /// Puts the inflow of a wing into a preset; one step of undo. Of the kinds of wing in the file it is the only one, or the one that
         /// the preset is named after.
@@ -42,19 +45,22 @@ namespace Alate.Editor
         private static string Find(Content content, string preset, string file, out PresetInflow inflow)
         {
             inflow = default;
-            if (content == null || content.version != k_Version || content.wings == null || content.wings.Length == 0)
+            Entry[] wings = content?.wings ?? Array.Empty<Entry>();
+            if (content?.version != k_Version || wings.Length == 0 || wings.Length > k_MostWings || wings.Any(entry => !IsNamed(entry)))
                 return $"'{file}' is no inflow of version {k_Version}, as the command wake writes it.";
-            var right = content.wings.Where(entry => entry.wing != null && entry.wing.StartsWith(k_Right)).ToList();
+            var right = wings.Where(entry => entry.wing.StartsWith(k_Right, StringComparison.Ordinal)).ToList();
             List<Entry> named = right.Count == 1 ? right : right.Where(entry => IsNamedAfter(preset, entry)).ToList();
             if (named.Count != 1)
             {
-                return $"'{file}' holds {string.Join(" and ", content.wings.Select(entry => entry.wing))}; "
+                return $"'{file}' holds {string.Join(" and ", wings.Select(entry => entry.wing))}; "
                     + $"rename the preset '{preset}' after the wing that it is for, as in 'Dragonfly hind wing'.";
             }
             return TryRead(named[0], out inflow)
                 ? null
                 : $"'{file}' has a number of the {named[0].wing} that is missing or not within ±{PresetInflow.MostSpeed:0} m/s.";
         }
+
+        private static bool IsNamed(Entry entry) => entry?.wing != null && entry.wing.Length <= k_LongestName;
 
         private static bool IsNamedAfter(string preset, Entry entry) =>
             preset.IndexOf(entry.wing.Substring(k_Right.Length), StringComparison.OrdinalIgnoreCase) >= 0;

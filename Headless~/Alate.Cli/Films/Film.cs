@@ -45,7 +45,7 @@ internal sealed class Film
     private static WakePhoto Shed(FlightRecord flight, int frames)
     {
         using var wake = WakeFlight.Smooth(flight, new WakePlan(), frames);
-        return new WakePhoto(wake, WakePicture.k_Beats);
+        return new WakePhoto(wake);
     }
 
     /// <summary>Paints every frame.</summary>
@@ -60,9 +60,7 @@ internal sealed class Film
             PictureView view = m_Plan.Flight.View with { Aside = (float)(m_Plan.Flight.View.Aside + m_Plan.Turn * frame / Count) };
             frames.Add(scenes.ConvertAll(scene =>
             {
-                PhotoScene seen = scene.From(view);
-                if (m_Wake != null)
-                    seen = m_Wake.AddTo(seen, m_Wake.Steps / m_Plan.Frames * (frame % m_Plan.Frames));
+                PhotoScene seen = m_Wake == null ? scene.From(view) : m_Wake.AddTo(scene.From(view), at.Turns);
                 return (seen, seen.PoseAt(at.Turns, at.Turn, at.Way, at.Trail));
             }));
         }

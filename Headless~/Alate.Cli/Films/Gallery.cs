@@ -66,8 +66,7 @@ internal static class Gallery
         if (hasWake)
         {
             using var wake = WakeFlight.Smooth(record, new WakePlan());
-            var rings = new WakePhoto(wake, WakePicture.k_Beats);
-            scene = rings.AddTo(scene, (int)Math.Round(exhibit.Turns * rings.Steps) % rings.Steps);
+            scene = new WakePhoto(wake).AddTo(scene, exhibit.Turns);
         }
 
         Pose pose = scene.PoseAt(exhibit.Turns);

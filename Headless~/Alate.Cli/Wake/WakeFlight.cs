@@ -31,7 +31,7 @@ internal sealed class WakeFlight : IDisposable
             Keep = (float)plan.Keep,
             Symmetric = IsSymmetric,
             Stream = air * (float)(Period / Length),
-            Viscosity = (float)((m_Density > k_Liquid ? k_WaterViscosity : k_AirViscosity) * Period / (Length * Length)),
+            Viscosity = (float)(ViscosityOf(m_Density) * Period / (Length * Length)),
             Up = flight.Plan.UpOfBody,
         };
         settings.ChordPanels = plan.ChordPanels ?? settings.ChordPanels;
@@ -84,6 +84,10 @@ internal sealed class WakeFlight : IDisposable
 
     /// <summary>Air behind the insect over the last beat; null where it is not shown.</summary>
     public WakePlane Plane { get; }
+
+    /// <summary>Kinematic viscosity of air or water at 20 °C, m²/s.</summary>
+    /// <param name="density">Of the fluid, kg/m³.</param>
+    internal static double ViscosityOf(double density) => density > k_Liquid ? k_WaterViscosity : k_AirViscosity;
 
     /// <summary>Frees the memory.</summary>
     public void Dispose() => m_Wake.Dispose();

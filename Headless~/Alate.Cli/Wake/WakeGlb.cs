@@ -25,13 +25,8 @@ internal sealed class WakeGlb(WakeLoop loop) : IGlbLoop
     /// <inheritdoc/>
     public void Animate(JsonObject animation, double period)
     {
-        int targets = loop.Keys - 1;
-        float[] times = [.. Enumerable.Range(0, loop.Keys + 1).Select(key => (float)(period * key / loop.Steps))];
-        float[] weights = new float[times.Length * targets];
-        for (int key = 1; key <= targets; key++)
-            weights[key * targets + key - 1] = 1f;
         JsonArray samplers = animation["samplers"].AsArray(), channels = animation["channels"].AsArray();
-        samplers.Add(GlbScene.Sampler(m_Scene.Buffer.AddScalars(times), m_Scene.Buffer.AddScalars(weights)));
+        samplers.Add(m_Scene.Cycle(loop.Keys, 1, loop.Beats * period));
         foreach (int node in m_Nodes)
             channels.Add(GlbScene.Channel(samplers.Count - 1, node, "weights"));
     }

@@ -3,6 +3,9 @@ namespace Alate.Cli;
 /// <summary>Rings of a wake as photos of an insect show them.</summary>
 internal sealed class WakePhoto
 {
+    /// <summary>Oldest wake that is shown, beats.</summary>
+    public const double Beats = 1.5;
+
     /// <summary>Share of its density that the oldest wake has lost: it is the most tangled.</summary>
     private const float k_Faded = 0.85f;
 
@@ -11,25 +14,24 @@ internal sealed class WakePhoto
     private readonly float m_Reach;
 
     /// <param name="wake">A wake that has been shed.</param>
-    /// <param name="beats">Oldest wake that is shown.</param>
-    public WakePhoto(WakeFlight wake, double beats)
+    public WakePhoto(WakeFlight wake)
     {
         m_Shapes = wake.Shapes.ConvertAll(
-            sheets => sheets.ConvertAll(sheet => sheet.Newest((int)(beats * wake.Plan.StepsPerBeat) + 1)));
+            sheets => sheets.ConvertAll(sheet => sheet.Newest((int)(Beats * wake.Plan.StepsPerBeat) + 1)));
         m_First = wake.Flight.Wings.Count + 1;
         Strongest = WakeColours.Strongest(m_Shapes.SelectMany(sheets => sheets));
         m_Reach = m_Shapes.Max(sheets => sheets.Max(sheet => sheet.Points.Max(math.length)));
     }
 
-    /// <summary>Steps of the beat.</summary>
-    public int Steps => m_Shapes.Count;
-
     /// <summary>The strongest circulation over the beat, m²/s.</summary>
     public float Strongest { get; }
 
-    /// <summary>Adds the rings at a step of the beat to the scene of their insect.</summary>
-    public PhotoScene AddTo(PhotoScene scene, int step) =>
-        scene.With(m_Shapes[step].Select((sheet, k) => Part(sheet, m_First + k)), m_Reach);
+    /// <summary>Adds the rings at a phase, 0 to 1 beats, to the scene of their insect.</summary>
+    public PhotoScene AddTo(PhotoScene scene, double turns)
+    {
+        List<ShapedSheet> sheets = m_Shapes[(int)Math.Round(turns * m_Shapes.Count) % m_Shapes.Count];
+        return scene.With(sheets.Select((sheet, k) => Part(sheet, m_First + k)), m_Reach);
+    }
 
     private PhotoPart Part(ShapedSheet sheet, int index)
     {

@@ -5,9 +5,6 @@ internal static class WakePicture
 {
     private const float k_Panel = 560f, k_Header = 62f, k_Edge = 26f, k_Foot = 20f;
 
-    /// <summary>Oldest wake in pictures, beats.</summary>
-    public const double k_Beats = 1.5;
-
     /// <summary>Phase of the picture, beats.</summary>
     private const double k_Phase = 0.5;
 
@@ -17,19 +14,19 @@ internal static class WakePicture
 
     internal static PixelPage Compose(WakeFlight wake)
     {
-        int steps = wake.Plan.StepsPerBeat, step = (int)Math.Round(k_Phase * steps);
-        var photo = new WakePhoto(wake, k_Beats);
+        var photo = new WakePhoto(wake);
         string name = wake.Flight.Insect.DisplayName;
         PictureView[] views = [wake.Flight.Plan.View, PictureView.ByName["side"]];
-        List<PhotoScene> scenes = [.. views.Select(view => photo.AddTo(FlightPhoto.Scene(wake.Flight, view), step))];
-        List<Pose> poses = scenes.ConvertAll(scene => scene.PoseAt((double)step / steps));
+        List<PhotoScene> scenes = [.. views.Select(view => photo.AddTo(FlightPhoto.Scene(wake.Flight, view), k_Phase))];
+        List<Pose> poses = scenes.ConvertAll(scene => scene.PoseAt(k_Phase));
         var layout = new StripLayout(poses, poses.Count, 0f, k_Header, k_Panel, 0f);
         var page = new PixelPage();
         page.Text(k_Edge, 38f, 22f, name, look: "b");
         page.Text(
             layout.Width - k_Edge, 37f, 13f, string.Create(
                 CultureInfo.InvariantCulture,
-                $"vortex rings of {k_Beats:0.#} beats that turn one way and the other, up to {1e4f * photo.Strongest:0} cm²/s"), "end");
+                $"vortex rings of {WakePhoto.Beats:0.#} beats that turn one way and the other, "
+                + $"up to {1e4f * photo.Strongest:0} cm²/s"), "end");
         for (int k = 0; k < poses.Count; k++)
             page.Add(scenes[k], poses[k], layout[k]);
         return page.End(layout.Width, layout.Height + k_Foot, $"{name} and the vortex rings of its wake");

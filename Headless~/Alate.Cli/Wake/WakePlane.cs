@@ -1,4 +1,5 @@
 using Alate.Wake;
+using static Alate.Formats.CsvTable;
 
 namespace Alate.Cli;
 
@@ -89,6 +90,4 @@ internal sealed class WakePlane
             }
         }
     }
-
-    private static string Number(double value) => value.ToString("0.######E+0", CultureInfo.InvariantCulture);
 }

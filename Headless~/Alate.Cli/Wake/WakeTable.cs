@@ -1,3 +1,5 @@
+using static Alate.Formats.CsvTable;
+
 namespace Alate.Cli;
 
 /// <summary>wake.csv: force and power of each wing over the last beat, with the wake and without, in axes of the body.</summary>
@@ -61,8 +63,6 @@ internal static class WakeTable
 
     /// <summary>Name of a wing: its kind and its side.</summary>
     public static string NameOf(RecordedWing wing) => $"{(wing.Placement.IsLeft ? "left" : "right")} {wing.Wing.Name}";
-
-    private static string Number(double value) => value.ToString("0.######E+0", CultureInfo.InvariantCulture);
 
     private static string Exact(double value) => value.ToString("0.0000", CultureInfo.InvariantCulture).Replace('-', '−');
 

@@ -39,7 +39,7 @@ internal sealed class PhotoSurface
     public static PhotoSurface Of(SurfaceMesh body) => new(
         0, body.triangles, Array.ConvertAll(body.colours, colour => Shading.Linear(colour)), (colour, _) => colour, false, false, []);
 
-    /// <summary>A thin surface, with a line around it.</summary>
+    /// <summary>A thin surface, a wing with a line around it.</summary>
     /// <param name="index">Its number among the surfaces of the picture.</param>
     /// <param name="rest">[vertex] Its places at rest.</param>
     /// <param name="triangles">Three vertex indices a triangle.</param>

@@ -24,7 +24,6 @@ internal sealed class SampleGrid
     /// <summary>[row of samples] The first and the last column at which something was added.</summary>
     private readonly int[] m_First, m_Last;
 
-
     /// <summary>Layers of glass in blocks, as millions of them would be copied where a list grows.</summary>
     private readonly List<GlassSample[]> m_Glass = [];
     private int m_GlassCount;

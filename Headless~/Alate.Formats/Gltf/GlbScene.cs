@@ -37,6 +37,26 @@ internal sealed class GlbScene
     public static JsonObject Sampler(int input, int output) =>
         new() { ["input"] = input, ["output"] = output, ["interpolation"] = "LINEAR" };
 
+    /// <summary>
+    /// Weights that pass from one shape to the next and back to the first, which is the mesh itself: a sampler's numbers.
+    /// </summary>
+    /// <param name="shapes">Shapes of a round; all but the first are targets.</param>
+    /// <param name="rounds">Rounds.</param>
+    /// <param name="period">Seconds of a round.</param>
+    public JsonObject Cycle(int shapes, int rounds, double period)
+    {
+        int targets = shapes - 1;
+        float[] times = new float[rounds * shapes + 1], weights = new float[times.Length * targets];
+        for (int key = 0; key < times.Length; key++)
+        {
+            times[key] = (float)(period * key / shapes);
+            if (key % shapes > 0)
+                weights[key * targets + key % shapes - 1] = 1f;
+        }
+
+        return Sampler(Buffer.AddScalars(times), Buffer.AddScalars(weights));
+    }
+
     /// <summary>A sampler's target: <c>translation</c>, <c>rotation</c> or <c>weights</c> of a node.</summary>
     public static JsonObject Channel(int sampler, int node, string path) =>
         new() { ["sampler"] = sampler, ["target"] = new JsonObject { ["node"] = node, ["path"] = path } };

@@ -123,6 +123,15 @@ namespace Alate.Tests.Cli
         }
 
         [Test]
+        [Explicit]
+        [Category("Long")]
+        public void TheWakeOfTheFrontPage_IsTheOneThatIsDrawnNow()
+        {
+            using var wake = WakeFlight.Smooth(TetheredFlight.Fly(FiguresCommand.WakeFlown), new WakePlan());
+            Assert.That(WakePicture.Draw(wake), Is.EqualTo(File.ReadAllBytes(Path.Combine(s_Folder, "images", "wake-monarch.png"))));
+        }
+
+        [Test]
         public void APart_IsReplaced_AndTheRestOfThePageStays()
         {
             string page = "a\n" + PageBlock.Begin("x") + "old\n" + PageBlock.End("x") + "\nb\n";

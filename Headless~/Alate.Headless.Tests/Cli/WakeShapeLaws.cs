@@ -160,6 +160,33 @@ public sealed class WakeShapeLaws
         GlbLooksTests.Validate(path);
     }
 
+    // As the camera of the insect sees them, from far enough to see all.
+    [TestCase(0.0, 0)]
+    [TestCase(0.25, 3)]
+    [TestCase(0.79, 9)]
+    [TestCase(0.99, 0)]
+    public void RingsOfAPhoto_AreThoseOfItsPhase(double turns, int step)
+    {
+        PictureView view = PictureView.ByName["top"];
+        PhotoScene scene = new WakePhoto(m_Wake).AddTo(FlightPhoto.Scene(m_Wake.Flight, view), turns);
+        List<float3[]> seen = scene.PoseAt(turns).Places;
+        List<ShapedSheet> sheets = m_Wake.Shapes[step].ConvertAll(sheet => sheet.Newest(3 * k_Steps / 2 + 1));
+        float reach = m_Wake.Shapes.Max(shown => shown.Max(sheet => sheet.Newest(3 * k_Steps / 2 + 1).Points.Max(math.length)));
+        var camera = new PictureCamera(view, 5f * reach);
+
+        Assert.That(seen, Has.Count.EqualTo(1 + m_Wake.Flight.Wings.Count + 4));
+        for (int k = 0; k < 4; k++)
+        {
+            float3[] expected = Array.ConvertAll(sheets[k].Points, camera.Project);
+            Assert.That(seen[seen.Count - 4 + k].Zip(expected, math.distance).Max(), Is.LessThan(1e-4f * reach), $"sheet {k}");
+        }
+    }
+
+    [TestCase(1.2, 1.5e-5)]
+    [TestCase(998.0, 1.0e-6)]
+    public void Fluids_HaveTheViscosityOfAirOrWater(double density, double expected) =>
+        Assert.That(WakeFlight.ViscosityOf(density), Is.EqualTo(expected).Within(1).Percent);
+
     [Test]
     public void AStrongRing_IsDense_AndItsColourSaysHowItTurns()
     {
@@ -179,7 +206,7 @@ public sealed class WakeShapeLaws
     public void ThePicture_ShowsRingsOfBothColours_BehindTheInsect_AndSaysHowStrongTheyAre()
     {
         PixelPage page = WakePicture.Compose(m_Wake);
-        float strongest = new WakePhoto(m_Wake, 1.5).Strongest;
+        float strongest = new WakePhoto(m_Wake).Strongest;
         Assert.That(strongest, Is.EqualTo(WakeColours.Strongest(m_Wake.Shapes.SelectMany(sheets => sheets))));
         var picture = PngFile.Read(page.Write());
         int Columns(Func<Color32, bool> isSeen, Func<IEnumerable<int>, int> which) => which(

@@ -88,6 +88,11 @@ public sealed class InflowMenuTests
     [TestCase("{", "JSON")]
     [TestCase("{}", "is no inflow of version 1")]
     [TestCase("{\"version\":2,\"wings\":[]}", "is no inflow of version 1")]
+    [TestCase("{\"version\":1,\"wings\":[null]}", "is no inflow of version 1")]
+    [TestCase("{\"version\":1,\"wings\":[{\"wing\":null}]}", "is no inflow of version 1")]
+    [TestCase("{\"version\":1,\"wings\":[{},{},{},{},{},{},{},{},{}]}", "is no inflow of version 1")]
+    [TestCase("{\"version\":1,\"wings\":[{\"wing\":\"right 0123456789012345678901234567890123456789012345678901234567890\"}]}",
+        "is no inflow of version 1")]
     public void WhatIsNoInflow_IsSaidInOneLine_AndChangesNothing(string text, string said)
     {
         string path = m_Folder.PathOf("inflow.json");

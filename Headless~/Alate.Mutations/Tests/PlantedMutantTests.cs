@@ -26,6 +26,7 @@ internal sealed class PlantedMutantTests
             public static readonly float Kept = Made();
             private static float Made() => 3f * 7f;
             public static float Twin(float a) => 3f * a;
+            public static float Spoiled(float a) => -a;
         }
         [TestFixture]
         public sealed class TinyTests
@@ -46,6 +47,13 @@ internal sealed class PlantedMutantTests
                 if (one.asked > 0f)
                     Assert.That(Tiny.Twin(one.asked), Is.EqualTo(6f));
             }
+        }
+        [TestFixture]
+        public sealed class XSpoiledTests
+        {
+            [Test] public void Spoiled() { Tiny.Spoiled(1f); }
+            [OneTimeTearDown] public void Fail() =>
+                Assert.That(System.Environment.GetEnvironmentVariable("ALATE_MUTANT_HITS"), Is.Not.Null, "but where tests are recorded");
         }
         [TestFixture]
         public sealed class ZLaterTests
@@ -86,7 +94,7 @@ internal sealed class PlantedMutantTests
     public void TheProgramAsItStands_FailsNowhere()
     {
         Assert.That(m_Coverage.Failing, Is.Empty);
-        Assert.That(m_Coverage.Tests, Is.EqualTo(7), "explicit tests are not run");
+        Assert.That(m_Coverage.Tests, Is.EqualTo(8), "explicit tests are not run");
     }
 
     [TestCase(6, Outcome.Found, "TinyTests.Asked")]
@@ -96,6 +104,7 @@ internal sealed class PlantedMutantTests
     [TestCase(8, Outcome.NotReached, "")]
     [TestCase(13, Outcome.Found, "ZLaterTests.Kept")]
     [TestCase(14, Outcome.Found, "UpBesideTests.Twins")]
+    [TestCase(15, Outcome.NotReached, "")]
     public void AMutant_FallsToTheTestThatAsks(int line, Outcome outcome, string test)
     {
         Verdict verdict = new Trial(m_Coverage, Worker).Of(Number(line));

@@ -1,3 +1,5 @@
+using static Alate.Formats.CsvTable;
+
 namespace Alate.Cli;
 
 /// <summary>
@@ -46,6 +48,4 @@ internal static class ForceTable
         Number(time), Number(180.0 / Math.PI * phase), phase < Math.PI ? "down" : "up", Number(force.x), Number(force.y), Number(force.z),
         Number(moment.x), Number(moment.y), Number(moment.z), Number(lift), Number(drag), double.IsNaN(power) ? "" : Number(power),
     ];
-
-    private static string Number(double value) => value.ToString("0.######E+0", CultureInfo.InvariantCulture);
 }

@@ -114,20 +114,9 @@ internal sealed class WingsGlb
         GlbWriter.Write(gltf, binary, stream);
     }
 
-    // Between two key frames the weight passes from one target to the next; the last key repeats the first, which is no target at all.
     private JsonObject Animation(double period, int beats)
     {
-        int keys = beats * k_KeyFrames;
-        float[] times = new float[keys + 1];
-        float[] weights = new float[(keys + 1) * (k_KeyFrames - 1)];
-        for (int key = 0; key <= keys; key++)
-        {
-            times[key] = (float)(period * key / k_KeyFrames);
-            if (key % k_KeyFrames > 0)
-                weights[key * (k_KeyFrames - 1) + key % k_KeyFrames - 1] = 1f;
-        }
-
-        JsonObject sampler = GlbScene.Sampler(m_Scene.Buffer.AddScalars(times), m_Scene.Buffer.AddScalars(weights));
+        JsonObject sampler = m_Scene.Cycle(k_KeyFrames, beats, period);
         var channels = new JsonArray();
         foreach (int node in m_WingNodes)
             channels.Add(GlbScene.Channel(0, node, "weights"));
