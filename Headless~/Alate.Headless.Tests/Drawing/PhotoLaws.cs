@@ -132,8 +132,38 @@ public sealed class PhotoLaws
     }
 
     // A pixel's colour is the mean of the samples around, weighted by a tent that is two pixels wide; beyond the picture the last goes on.
+    // Whatever the order in which they come: what lies behind something solid is not seen.
     [Test]
-    public void APixel_IsTheMeanOfTheSamplesAround_ByATent()
+    public void SheetsOfGlass_AreSeenThrough_FromTheFarthestToTheNearest()
+    {
+        var random = new System.Random(4);
+        for (int round = 0; round < 40; round++)
+        {
+            var sheets = Enumerable.Range(0, 6).Select(k => (Depth: 1f + (float)random.NextDouble(),
+                Light: new float4((float)random.NextDouble(), (float)random.NextDouble(), (float)random.NextDouble(), 0.5f))).ToList();
+            var grid = new SampleGrid(1, 1);
+            float solid = round % 2 == 0 ? 1.5f : float.PositiveInfinity;
+            float3 light = round % 2 == 0 ? new float3(0.2f, 0.3f, 0.4f) : s_Paper;
+            for (int sample = 0; sample < 9; sample++)
+            {
+                for (int k = 0; k < sheets.Count; k++)
+                    grid.Add(sample % 3, sample / 3, sheets[k].Depth, sheets[k].Light, k);
+                if (round % 2 == 0)
+                    grid.Add(sample % 3, sample / 3, solid, new float4(light, 1f), 9);
+            }
+
+            foreach ((float _, float4 sheet) in sheets.Where(sheet => sheet.Depth < solid).OrderByDescending(sheet => sheet.Depth))
+                light = math.lerp(light, sheet.xyz, sheet.w);
+            float3 expected = 255f * Shading.ToEncoded(light);
+            Color32 shown = grid.Pixels(s_Paper)[0];
+            Assert.That(math.distance(new float3(shown.r, shown.g, shown.b), expected), Is.LessThan(1f), $"round {round}");
+        }
+    }
+
+    [TestCase(0, 0)]
+    [TestCase(3, 3)]
+    [TestCase(6, 9)]
+    public void APixel_IsTheMeanOfTheSamplesAround_ByATent(int left, int top)
     {
         const int k_Width = 5, k_Height = 4;
         var random = new System.Random(2);
@@ -147,7 +177,7 @@ public sealed class PhotoLaws
                 if (x + y < 12 && random.Next(2) == 0)
                     continue;
                 var light = new float3((float)random.NextDouble(), (float)random.NextDouble(), 0.5f);
-                if (x < 9)
+                if (x >= left && x < left + 9 && y >= top)
                 {
                     grid.Add(x, y, 1f, new float4(light, 1f), 0);
                     samples[x, y] = Shading.ToEncoded(light);
