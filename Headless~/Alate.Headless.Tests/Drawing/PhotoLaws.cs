@@ -177,7 +177,7 @@ public sealed class PhotoLaws
                 if (x + y < 12 && random.Next(2) == 0)
                     continue;
                 var light = new float3((float)random.NextDouble(), (float)random.NextDouble(), 0.5f);
-                if (x >= left && x < left + 9 && y >= top)
+                if (x >= left && x < left + 9 && y >= top && y < top + 6)
                 {
                     grid.Add(x, y, 1f, new float4(light, 1f), 0);
                     samples[x, y] = Shading.ToEncoded(light);
