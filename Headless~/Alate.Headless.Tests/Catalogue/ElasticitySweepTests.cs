@@ -10,6 +10,8 @@ namespace Alate.Tests.Insects
     /// The paper's Fig. 14 as numbers: a fishfly from a quarter to four times its elasticity, in substeps at which the softest has
     /// converged.
     /// </summary>
+    [Explicit]
+    [Category("Long")]
     public sealed class ElasticitySweepTests
     {
         private static readonly Lazy<Sweep> s_Sweep = new Lazy<Sweep>(() => Sweep.Fly(

@@ -110,7 +110,7 @@ public sealed class FreeFlightLaws
     [Test]
     public void ThePictureOfAWay_IsAboveAndFromTheSide_InOneScale_WithAllOfTheWay()
     {
-        FlightRecord beat = TetheredFlight.Fly(new FlightPlan { Species = "monarch", Substeps = 12 });
+        FlightRecord beat = MonarchFlight.Level;
         FreeMoment[] moments =
         [
             .. Enumerable.Range(0, 201).Select(k => new FreeMoment(0.02 * k, new float3(0f, 0.005f * k, 1f + 0.01f * k),

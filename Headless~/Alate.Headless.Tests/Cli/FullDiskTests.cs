@@ -119,7 +119,7 @@ namespace Alate.Tests.Cli
         }
 
         [TestCase("species > /dev/full", Explicit = true, Category = "Long")]
-        [TestCase("species monarch > /dev/full")]
+        [TestCase("species monarch > /dev/full", Explicit = true, Category = "Long")]
         [TestCase("--help > /dev/full", Explicit = true, Category = "Long")]
         [TestCase("--version > /dev/full", Explicit = true, Category = "Long")]
         [TestCase("swim 2> /dev/full")]

@@ -17,6 +17,8 @@ namespace Alate.Tests.Cli
         private static readonly string s_Photo = Path.Combine(PackageRoot.Find(), "Documentation~", "images", "wing-drawing.png");
 
         [Test]
+        [Explicit]
+        [Category("Long")]
         public void PhotographOfAWing_ComesBackOnIt_AndTheFileIsValid()
         {
             using var run = new CommandRun();

@@ -127,7 +127,7 @@ namespace Alate.Tests.Cli
             AssertRefused(
                 ["--pilot", "'hawk'", "wander"], "fly", "monarch", "--free", "--pilot", "hawk", option, value, "--out", m_Run.Out);
 
-        [TestCase("species", ">&-")]
+        [TestCase("species", ">&-", Explicit = true, Category = "Long")]
         [TestCase("--help", ">&-", Explicit = true, Category = "Long")]
         [TestCase("fly monarch --seconds 0.2 --no-pictures --out OUT", ">&-", Explicit = true, Category = "Long")]
         [TestCase("fly monarch --seconds 0.2 --no-pictures --out OUT", ">/dev/full", Explicit = true, Category = "Long")]

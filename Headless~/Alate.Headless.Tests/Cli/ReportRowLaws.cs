@@ -25,6 +25,8 @@ public sealed class ReportRowLaws
         Compare("dragonfly, flight ", 15, done => DragonflyRows.Flights(new Fineness(16, 32), done), 0.05, 0.03);
 
     [Test]
+    [Explicit]
+    [Category("Long")]
     public void ATetheredDragonfly_IsThatOfTheReport() =>
         Compare("tethered dragonfly, ", 5, done => DragonflyRows.Tethered(new Fineness(24, 48), done), 0.05, 0.03);
 

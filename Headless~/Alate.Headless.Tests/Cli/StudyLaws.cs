@@ -127,6 +127,8 @@ public sealed class StudyLaws
     }
 
     [Test]
+    [Explicit]
+    [Category("Long")]
     public void Gusts_BlowInTheBeatsThatAreMeasured()
     {
         var plan = new FlightPlan { Species = "monarch", Substeps = 16, Patches = 64 };

@@ -83,7 +83,7 @@ public sealed class TableUnitLaws
     [Test]
     public void RowsOfASweep_AreThoseOfFlightsWithItsValues()
     {
-        var flight = new FlightPlan { Species = "monarch", Substeps = 24 };
+        var flight = new FlightPlan { Species = "monarch", Substeps = 12 };
         var plan = new SweepPlan(FlownParameters.Find("pitch"), 0.0, 40.0, 9, flight, SweepWaves.On);
         var sweep = Sweep.Fly(plan, _ => { });
         List<Dictionary<string, string>> rows = Rows(stream => SweepTable.Write(sweep, stream));

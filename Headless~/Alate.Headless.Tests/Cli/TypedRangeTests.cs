@@ -43,7 +43,7 @@ namespace Alate.Tests.Cli
             AssertRefused("for wing-mass of monarch; it is 1E-09.", "sweep", "wing-mass", "1e-9", "1e-4", "--species", "monarch");
         }
 
-        [TestCase("fishfly", "standard", "0.1")]
+        [TestCase("fishfly", "standard", "0.1", Explicit = true, Category = "Long")]
         [TestCase("firefly", "standard", "0.1", Category = "Long", Explicit = true)]
         [TestCase("firefly", "expressive", "0.1", Category = "Long", Explicit = true)]
         [TestCase("snailfish", "expressive", "0.5", Category = "Long", Explicit = true)]

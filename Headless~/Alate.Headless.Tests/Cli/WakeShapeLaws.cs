@@ -224,6 +224,8 @@ public sealed class WakeShapeLaws
     }
 
     [Test]
+    [Explicit]
+    [Category("Long")]
     public void PicturesSmoothTheWake_AndItsLoadsStay()
     {
         FlightPlan plan = FiguresCommand.WakeFlown;

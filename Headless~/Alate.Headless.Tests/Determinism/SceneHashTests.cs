@@ -23,9 +23,20 @@ namespace Alate.Tests.Determinism
             + @"|Sin|Cos|SinCos|Tan|Exp|Pow|Log\w*|Atan2?|Asin|Acos|Cbrt)\("
             + @"|quaternion\.(AxisAngle|Euler\w*|Rotate[XYZ])\(|math\.slerp\(");
 
+        [Test]
+        public void ACrowd_HasTheHeldHash_InEveryOrderAndLane()
+        {
+            using var output = new StringWriter();
+
+            Assert.That(SceneHashes.Run(output, "crowd"), Is.Zero, output.ToString());
+            Assert.That(output.ToString(), Does.StartWith("crowd "));
+        }
+
         // Eight workers also where there are fewer processors.
         [TestCase("DOTNET_PROCESSOR_COUNT=9", "DOTNET_EnableAVX2=0")]
-        [TestCase("DOTNET_PROCESSOR_COUNT=9", Explicit = true, Category = "Long")]
+        [TestCase("DOTNET_PROCESSOR_COUNT=9")]
+        [Explicit]
+        [Category("Long")]
         public void Scenes_HaveTheHeldHashes_InEveryOrderAndLane(params string[] variables)
         {
             string[] words = [Assembly.Load("Alate.Cli").Location, "bench", "--hash"];

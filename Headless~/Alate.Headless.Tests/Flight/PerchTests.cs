@@ -15,10 +15,10 @@ namespace Alate.Tests.Flight
             Assert.That(PerchFlights.Of("monarch").Fly(seed).Landed);
 
         [TestCase("monarch", 2)]
-        [TestCase("swallowtail", 1)]
+        [TestCase("swallowtail", 1, Explicit = true, Category = "Long")]
         [TestCase("firefly", 1)]
-        [TestCase("fishfly", 1)]
-        [TestCase("painted-lichen-moth", 1)]
+        [TestCase("fishfly", 1, Explicit = true, Category = "Long")]
+        [TestCase("painted-lichen-moth", 1, Explicit = true, Category = "Long")]
         [TestCase("dragonfly", 1)]
         public void Insects_Land_AndLeave(string name, int count) => FlyAll(name, count);
 

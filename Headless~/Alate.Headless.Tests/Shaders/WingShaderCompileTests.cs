@@ -79,8 +79,6 @@ public sealed class WingShaderCompileTests
                     Assert.That(
                         KeywordSets.EachOf(pass.Program, stage, text).SelectMany(set => set).Distinct(),
                         Is.EquivalentTo(all.SelectMany(set => set).Distinct()), pass.Name);
-                    Assert.That(KeywordSets.EachOf(pass.Program, stage, text).SelectMany(set => set).Distinct(),
-                        Is.EquivalentTo(all.SelectMany(set => set).Distinct()), pass.Name);
                 }
             }
         }

@@ -44,7 +44,7 @@ namespace Alate.Editor.Tests
 
         [TestCase("monarch", DrawnKind.Hard, Explicit = true, Category = "Long")]
         [TestCase("tailed", DrawnKind.Gradient, Explicit = true, Category = "Long")]
-        [TestCase("fan", DrawnKind.Drawing)]
+        [TestCase("fan", DrawnKind.Drawing, Explicit = true, Category = "Long")]
         public void OutlineInALargePicture_IsFoundWithinOnePointFivePercentOfSpan(string name, DrawnKind kind) =>
             AssertFound(name, kind, 2000);
 

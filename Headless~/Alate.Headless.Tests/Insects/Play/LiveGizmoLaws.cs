@@ -140,6 +140,8 @@ namespace Alate.Tests.Play
         [UnityTest]
         public IEnumerator APanel_HasSomethingNewOnceAFrame_AndOnceMoreWhenTheWingsEnd()
         {
+            // Longer than a step of the wings: frames as long as one have none or two where their times are rounded.
+            Time.captureDeltaTime = 1f / 50f;
             InsectWings insect = Insect();
             var panel = new LivePanel();
             Assert.That(panel.Refresh(insect), Is.False, "not yet");

@@ -14,7 +14,14 @@ namespace Alate.Tests.Play
         private const float k_Gust = 40f;
 
         [UnityTest]
-        public IEnumerator AfterAGust_ASwallowtailThatSat_FliesOff([Values(0, 1, 2, 3)] int from, [Values(1f, 4f)] float sat)
+        public IEnumerator AfterAGust_ASwallowtailThatSat_FliesOff([Values(0, 1, 2, 3)] int from) => FliesOff(from, 1f);
+
+        [UnityTest]
+        [Explicit]
+        [Category("Long")]
+        public IEnumerator AfterAGust_ASwallowtailThatSatForLong_FliesOff([Values(0, 1, 2, 3)] int from) => FliesOff(from, 4f);
+
+        private IEnumerator FliesOff(int from, float sat)
         {
             Time.captureDeltaTime = 0.01f;
             InsectFlight flight = Hatch("swallowtail");

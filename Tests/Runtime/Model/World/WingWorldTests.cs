@@ -194,7 +194,7 @@ namespace Alate.Tests
 
         [Test]
         public void SurroundingsBeyondReason_HarmAWing_OnlyWhileTheyLast(
-            [Values(0, 1, 2, 3, 4, 5)] int field, [Values(1e6f, 1e20f, 1e38f, -1e38f)] float value)
+            [Values(0, 1, 2, 3, 4, 5)] int field, [Values(1e6f, 1e38f, -1e38f)] float value)
         {
             using (var flown = new FlownMonarch())
             using (var twin = new FlownMonarch())
