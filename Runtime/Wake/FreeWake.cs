@@ -65,6 +65,19 @@ namespace Alate.Wake
             return m_Wings[wing].Loads;
         }
 
+        /// <summary>Number of strips of a wing, from its root to its tip.</summary>
+        public int SectionCount => m_Settings.SpanPanels;
+
+        /// <summary>Loads of the air on a strip of a wing in the last step.</summary>
+        /// <exception cref="ArgumentOutOfRangeException">There is no such wing or strip.</exception>
+        public WakeSection Section(int wing, int strip)
+        {
+            Check(wing);
+            if (strip < 0 || strip >= SectionCount)
+                throw new ArgumentOutOfRangeException(nameof(strip), strip, $"There are {SectionCount} strips, from 0.");
+            return m_Wings[wing].Section(strip);
+        }
+
         /// <summary>Wake of a wing at the moment of the last step; read it before the next one.</summary>
         /// <exception cref="ArgumentOutOfRangeException">There is no such wing.</exception>
         public WakeSheet Sheet(int wing)

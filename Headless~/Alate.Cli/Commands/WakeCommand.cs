@@ -22,6 +22,8 @@ internal static class WakeCommand
         HelpExamples.Set(command, k_Examples);
         command.SetAction(parsed =>
         {
+            if (options.IsFree(parsed))
+                flight.CheckTrimmed(parsed);
             WakeReport.Run(flight.Plan(parsed, parsed.GetValue(species)), options.Plan(parsed), output);
             return 0;
         });
@@ -32,9 +34,11 @@ internal static class WakeCommand
         "Examples:\n"
         + "  wake monarch --variant flight --pitch 28\n"
         + "  wake dragonfly --kinematics Documentation~/kinematics/dragonfly-flight-2.json --speed 1.5 --coefficients dragonfly\n"
+        + "  wake monarch --free --speed 1.3 --rounds 4\n"
         + "  wake dragonfly --method panels --steps 40 --ground 0.03\n\n"
         + "Writes into the output folder:\n"
         + "  wake.csv      force and power of each wing over the last beat, with the wake and without, N and W\n"
+        + "  span.csv      circulation, force and moving air along the span of each wing over that beat, and span.svg\n"
         + "  inflow.json   mean and two harmonics of the air that the wake sets moving at each wing, m/s\n"
         + "  plane.csv     velocity and vorticity of the air in a plane behind the insect, mean of the last beat, and plane.svg\n"
         + "  wake.png      the insect at the end of its downstroke and the vortex rings of one and a half beats\n"

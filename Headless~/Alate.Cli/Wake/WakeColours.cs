@@ -11,6 +11,9 @@ internal static class WakeColours
     public static float Strongest(IEnumerable<ShapedSheet> sheets) =>
         math.max(sheets.SelectMany(sheet => sheet.Circulation).Select(math.abs).DefaultIfEmpty().Max(), 1e-12f);
 
+    /// <summary>Bytes of the sRGB colour of a share.</summary>
+    public static int3 Bytes(float share) => (int3)math.round(255f * Of(share).xyz);
+
     /// <summary>sRGB colour and opacity of a circulation, as a share of the strongest, −1 to 1.</summary>
     public static float4 Of(float share) =>
         new(share < 0f ? s_Negative : s_Positive, math.lerp(k_Faintest, k_Densest, math.saturate(math.abs(share))));

@@ -37,9 +37,23 @@ internal sealed class WakeFlight : IDisposable
         settings.ChordPanels = plan.ChordPanels ?? settings.ChordPanels;
         settings.FarCore = (float)(plan.FarCore ?? settings.FarCore);
         settings.GroundHeight = plan.Ground is double height ? (float)(height / Length) : settings.GroundHeight;
+        List<WakeWing> wings = Wings.ConvertAll(WingOf);
+        if (plan.Ground is double ground && ground <= Below)
+        {
+            throw new UserException(string.Create(CultureInfo.InvariantCulture,
+                $"--ground {ground}: the wings reach {Below:0.####} m below the thorax; allowed: above {Below:0.####} m."));
+        }
+
+        if (IsSymmetric && Across > k_MostAcross * Length)
+        {
+            throw new UserException(string.Create(CultureInfo.InvariantCulture,
+                $"Right and left wings pass through each other, by up to {1000 * Across:0.#} mm each; a wake takes up to ")
+                + string.Create(CultureInfo.InvariantCulture, $"{1000 * k_MostAcross * Length:0.#} mm."));
+        }
+
         try
         {
-            m_Wake = new FreeWake(settings, Wings.ConvertAll(WingOf));
+            m_Wake = new FreeWake(settings, wings);
         }
         catch (ArgumentException problem)
         {
@@ -57,6 +71,12 @@ internal sealed class WakeFlight : IDisposable
     private const int k_MostShown = 24;
     private const double k_OldestShown = 3.0;
 
+    /// <summary>
+    /// Shares of a wing's length by which right and left wings pass through each other where that is noted, and where no wake is computed:
+    /// wings of the model do not feel each other.
+    /// </summary>
+    private const double k_Touch = 0.03, k_MostAcross = 0.1;
+
     /// <summary>Kinematic viscosities at 20 °C, m²/s, and the density that parts liquids from gases, kg/m³.</summary>
     private const double k_AirViscosity = 1.5e-5, k_WaterViscosity = 1.0e-6, k_Liquid = 100.0;
 
@@ -71,6 +91,25 @@ internal sealed class WakeFlight : IDisposable
 
     /// <summary>True where right wings alone are computed, as left ones are their mirror images.</summary>
     public bool IsSymmetric { get; }
+
+    /// <summary>Metres below the middle of the thorax that the wings reach in the beat.</summary>
+    public double Below { get; private set; }
+
+    /// <summary>Metres beyond the middle plane that right wings reach, where left ones are their mirror images.</summary>
+    public double Across { get; private set; }
+
+    /// <summary>Lines on what the wake cannot be trusted with; none as a rule.</summary>
+    public IEnumerable<string> Doubts()
+    {
+        if (IsSymmetric && Across > k_Touch * Length)
+        {
+            yield return string.Create(CultureInfo.InvariantCulture,
+                $"Right and left wings pass through each other, by up to {1000 * Across:0.#} mm each; their air is not known then.");
+        }
+
+        if (m_Wake.Failures > 0)
+            yield return $"In {m_Wake.Failures} of {m_Wake.StepCount} steps the wings found no circulation that fits.";
+    }
 
     /// <summary>Wings with a lattice.</summary>
     public List<RecordedWing> Wings { get; }
@@ -139,9 +178,19 @@ internal sealed class WakeFlight : IDisposable
     private WakeMoment Moment(double turns)
     {
         double force = m_Density * Math.Pow(Length, 4) / (Period * Period), power = force * Length / Period, speed = Length / Period;
-        return new WakeMoment(turns, Enumerable.Range(0, m_Wake.WingCount).Select(m_Wake.Loads).Select(wing => new WakeLoad(
-            (float)force * wing.Force, (float)(force * Length) * wing.Moment, power * wing.Power, (float)speed * wing.Inflow)).ToList(),
-            IsSymmetric);
+        return new WakeMoment(turns, Enumerable.Range(0, m_Wake.WingCount).Select(k =>
+        {
+            WakeLoads loads = m_Wake.Loads(k);
+            return new WakeLoad((float)force * loads.Force, (float)(force * Length) * loads.Moment, power * loads.Power,
+                (float)speed * loads.Inflow, Strips(k, force, speed));
+        }).ToList(), IsSymmetric);
+    }
+
+    private WakeStrip[] Strips(int wing, double force, double speed)
+    {
+        double width = Wings[wing].Wing.Preset.WingLength / m_Wake.SectionCount, side = Wings[wing].Placement.IsLeft ? 1 : -1;
+        return [.. Enumerable.Range(0, m_Wake.SectionCount).Select(strip => m_Wake.Section(wing, strip)).Select(at => new WakeStrip(
+            at.Span, side * speed * Length * at.Circulation, (float)(force / width) * at.Force, (float)speed * at.Inflow))];
     }
 
     private List<ShapedSheet> Shape()
@@ -157,6 +206,9 @@ internal sealed class WakeFlight : IDisposable
         float chords = (float)(Plan.Chords?[kind] ?? 1.0);
         var grid = new SurfaceGrid(wing.Rest, wing.Triangles);
         float3[][] samples = wing.Frames.Select(frame => Places(wing, grid, frame, chords)).ToArray();
+        float3 up = Flight.Plan.UpOfBody;
+        Below = Math.Max(Below, -Length * samples.Min(places => places.Min(place => math.dot(place, up))));
+        Across = Math.Max(Across, -Length * samples.Min(places => places.Min(place => place.x)));
         return new WakeWing(FourierMotion.Through(samples, grid.Across, grid.Along, wing.Frames[0].Phase / (2.0 * Math.PI)))
         {
             Coefficients = wing.Parameters.options.coefficients,

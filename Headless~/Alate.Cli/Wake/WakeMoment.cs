@@ -5,7 +5,9 @@ namespace Alate.Cli;
 /// <param name="Moment">About the middle of the thorax, newton metres.</param>
 /// <param name="Power">That the wing gives to the air, watts.</param>
 /// <param name="Inflow">Mean velocity of the air that vortices have set moving, m/s.</param>
-internal readonly record struct WakeLoad(float3 Force, float3 Moment, double Power, float3 Inflow);
+/// <param name="Strips">From the root to the tip.</param>
+internal readonly record struct WakeLoad(
+    float3 Force, float3 Moment, double Power, float3 Inflow, IReadOnlyList<WakeStrip> Strips);
 
 /// <summary>Moment of a beat with its wake.</summary>
 /// <param name="Turns">Time, beats.</param>

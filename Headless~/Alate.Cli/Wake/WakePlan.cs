@@ -15,6 +15,9 @@ internal sealed record WakePlan
 
     public int StepsPerBeat { get; init; } = 24;
 
+    /// <summary>True where the insect flies by its trim at the speed and climb of the flight.</summary>
+    public bool IsFree { get; init; }
+
     /// <summary>Panels along the chord; null is the method's default.</summary>
     public int? ChordPanels { get; init; }
 

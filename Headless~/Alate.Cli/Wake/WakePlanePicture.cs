@@ -36,11 +36,10 @@ internal static class WakePlanePicture
 
     private static void Cell(SvgPage page, int column, int row, float share)
     {
-        float4 colour = WakeColours.Of(share);
         float opacity = math.abs(share);
         if (opacity < 0.01f)
             return;
-        var bytes = (int3)math.round(255f * colour.xyz);
+        int3 bytes = WakeColours.Bytes(share);
         page.Append($"<rect x=\"{k_Edge + k_Cell * column:0.#}\" y=\"{k_Header + k_Cell * row:0.#}\" ");
         page.Append($"width=\"{k_Cell}\" height=\"{k_Cell}\" ");
         page.Append($"fill=\"#{bytes.x:x2}{bytes.y:x2}{bytes.z:x2}\" fill-opacity=\"{opacity:0.##}\"/>\n");

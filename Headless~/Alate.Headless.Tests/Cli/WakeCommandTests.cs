@@ -69,7 +69,7 @@ namespace Alate.Tests.Cli
             Assert.That(m_Run.Output, Does.Contain("power to the air, W/kg"));
             Assert.That(m_Run.Output, Does.Contain("wake.csv").And.Contain("inflow.json").And.Not.Contain("wake.png"));
             Assert.That(Directory.GetFiles(m_Run.Out).Select(Path.GetFileName),
-                Is.EquivalentTo(new[] { "wake.csv", "inflow.json" }), "--no-pictures");
+                Is.EquivalentTo(new[] { "wake.csv", "span.csv", "inflow.json" }), "--no-pictures");
         }
 
         [Test]
@@ -79,10 +79,76 @@ namespace Alate.Tests.Cli
         {
             using var run = new CommandRun();
             Assert.That(run.Run("wake", "monarch", "--view", "top", "--out", run.Out), Is.Zero, run.Errors);
-            foreach (string file in new[] { "plane.csv", "plane.svg", "wake.png", "wake.glb" })
+            foreach (string file in new[] { "span.svg", "plane.csv", "plane.svg", "wake.png", "wake.glb" })
                 Assert.That(run.Output, Does.Contain(file));
             Assert.That(PngTexts.Of(Path.Combine(run.Out, "wake.png")), Does.Contain("Monarch"));
             GlbLooksTests.Validate(Path.Combine(run.Out, "wake.glb"));
+        }
+
+        // Newtons per metre over the length of a wing are the force of wake.csv, and what lifts turns as it should.
+        [Test]
+        public void StripsOfTheSpan_AreInMetresAndNewtons_AndLiftInTheDownstroke()
+        {
+            string[][] rows = [.. File.ReadAllLines(Path.Combine(m_Run.Out, "span.csv")).Skip(1).Select(line => line.Split(','))];
+            Assert.That(rows.Length, Is.EqualTo(16 * 2 * 5));
+            double length = InsectCatalogue.Find("dragonfly").Wings[0].Outline.Length;
+            foreach (string[] wing in Rows().Skip(1).Where(row => row[1] == "right fore wing"))
+            {
+                string[][] strips = [.. rows.Where(row => row[0] == wing[0] && row[1] == wing[1])];
+                for (int axis = 0; axis < 3; axis++)
+                {
+                    Assert.That(strips.Sum(row => Number(row[4 + axis])) * length / 5, Is.EqualTo(Number(wing[2 + axis])).Within(2e-6));
+                    Assert.That(Number(wing[9 + axis]), Is.InRange(
+                        strips.Min(row => Number(row[7 + axis])) - 1e-6, strips.Max(row => Number(row[7 + axis])) + 1e-6));
+                }
+
+                // Mostly the force follows the circulation of the third strip, Γ times the speed of some metres a second.
+                double circulation = Number(strips[3][3]), force = Number(strips[3][5]);
+                if (Math.Abs(circulation) > 0.02 && Math.Abs(force) > 0.05)
+                    Assert.That(force / circulation, Is.InRange(0.3, 10.0), $"kg/m³ · m/s, at {wing[0]}");
+            }
+        }
+
+        [Test]
+        public void WithItsTrim_AnInsectCarriesItsWeight_WithoutTheWake()
+        {
+            var plan = TrimmedFlight.Of(new FlightPlan { Species = "firefly", Speed = 1.0, Climb = 0.1, RecordsAir = true });
+            Assert.That((plan.Variant, plan.Speed, plan.Climb), Is.EqualTo((InsectVariant.Flight, 1.0, 0.1)));
+            FlightRecord flown = TetheredFlight.Fly(plan);
+            double weight = flown.Wings[0].Wing.Preset.Size.insectMass * EarthGravity.Precise;
+
+            Assert.That(plan.ToWorld(FlownLoads.Mean(flown)).y / weight, Is.EqualTo(1.0).Within(0.04));
+        }
+
+        // A stroke of 120 degrees up from 60 passes the middle; wings reach below a low ground.
+        [TestCase("Right and left wings pass through each other, by up to", "--kinematics", "FILE")]
+        [TestCase("the wings reach", "--ground", "0.001")]
+        public void WingsThatAreInTheWay_AreRefused(string message, params string[] options)
+        {
+            using var run = new CommandRun();
+            string file = run.Write("clap.json", """
+                {"name": "clap", "source": "drawn", "frequencyHz": 28, "angles": "degrees", "wings": {"fore wing": {"strokePlane": 55,
+                "flap": {"mean": 60, "harmonics": [[85, 0]]}, "sweep": 0, "pitch": {"mean": 0, "harmonics": [[30, 90]]}}}}
+                """);
+            string[] given = [.. options.Select(option => option == "FILE" ? file : option)];
+
+            Assert.That(run.Run(["wake", "dragonfly", "--substeps", "12", "--no-pictures", "--out", run.Out, .. given]), Is.EqualTo(2));
+            Assert.That(run.Errors, Does.Contain(message));
+            Assert.That(run.Errors.Trim().Split('\n'), Has.Length.EqualTo(1));
+            Assert.That(Directory.Exists(run.Out), Is.False);
+        }
+
+        [TestCase("does not fly at 9 m/s ahead", "--speed", "9")]
+        [TestCase("--pitch is for flights on the spot", "--pitch", "20")]
+        [TestCase("--kinematics is for flights", "--kinematics", "x.json")]
+        [TestCase("does not go with --variant expressive", "--variant", "expressive")]
+        public void ATrimThatIsNone_IsNamed(string message, params string[] options)
+        {
+            using var run = new CommandRun();
+            Assert.That(run.Run(["wake", "monarch", "--free", "--out", run.Out, .. options]), Is.EqualTo(2));
+            Assert.That(run.Errors, Does.Contain(message));
+            Assert.That(run.Errors.Trim().Split('\n'), Has.Length.EqualTo(1));
+            Assert.That(Directory.Exists(run.Out), Is.False);
         }
 
         [TestCase("--chord-panels goes with --method panels", "--chord-panels", "3")]

@@ -185,7 +185,8 @@ namespace Alate.Flight
             m_Memory = null;
         }
 
-        private float[] PointNear(float speed, float climb)
+        /// <summary>Numbers of the point that is nearest to a speed and a climb.</summary>
+        internal float[] PointNear(float speed, float climb)
         {
             int s = 0, c = 0;
             for (int k = 1; k < Speeds.Length; k++)

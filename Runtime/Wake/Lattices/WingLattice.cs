@@ -80,6 +80,9 @@ namespace Alate.Wake
 
         public int Ring(int i, int j) => i * SpanPanels + j;
 
+        /// <summary>Share of the span at which the middle of a strip lies.</summary>
+        public float Middle(int j) => 0.5f * (m_Places[Corner(0, j)].y + m_Places[Corner(0, j + 1)].y);
+
         /// <summary>Vector of a panel along its chord.</summary>
         public float3 Chordwise(int i, int j) =>
             0.5f * (Corners[Corner(i + 1, j)] + Corners[Corner(i + 1, j + 1)] - Corners[Corner(i, j)] - Corners[Corner(i, j + 1)]);

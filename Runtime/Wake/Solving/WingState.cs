@@ -5,6 +5,8 @@ namespace Alate.Wake
     /// <summary>A wing with its wake, and its loads at a moment. Forces are over ρ, in reference lengths⁴ a squared beat.</summary>
     internal sealed class WingState
     {
+        private readonly WakeSection[] m_Sections;
+
         public WingState(WakeWing wing, WakeSettings settings)
         {
             Wing = wing;
@@ -13,6 +15,7 @@ namespace Alate.Wake
             Sheet = new VortexSheet(settings.SpanPanels, settings.Rows, Cores);
             Forces = new float3[Lattice.RingCount];
             Induced = new float3[Lattice.RingCount];
+            m_Sections = new WakeSection[settings.SpanPanels];
         }
 
         public WakeWing Wing { get; }
@@ -66,23 +69,35 @@ namespace Alate.Wake
         {
             float3 force = default, moment = default, inflow = default;
             float power = 0f, weights = 0f;
-            for (int i = 0; i < Lattice.ChordPanels; i++)
+            for (int j = 0; j < Lattice.SpanPanels; j++)
             {
-                for (int j = 0; j < Lattice.SpanPanels; j++)
+                float3 onStrip = default, atStrip = default;
+                float stripWeights = 0f;
+                for (int i = 0; i < Lattice.ChordPanels; i++)
                 {
                     int ring = Lattice.Ring(i, j);
                     float3 at = Lattice.AtPanel(Lattice.Corners, i, j, share);
                     float3 moved = Lattice.AtPanel(Lattice.CornerVelocities, i, j, share);
-                    force += Forces[ring];
+                    onStrip += Forces[ring];
                     moment += math.cross(at, Forces[ring]);
                     power -= math.dot(Forces[ring], moved);
                     float weight = math.lengthsq(stream - moved) * math.length(math.cross(Lattice.Chordwise(i, j), Lattice.Spanwise(i, j)));
-                    inflow += weight * Induced[ring];
-                    weights += weight;
+                    atStrip += weight * Induced[ring];
+                    stripWeights += weight;
                 }
+
+                force += onStrip;
+                inflow += atStrip;
+                weights += stripWeights;
+                m_Sections[j] = new WakeSection(
+                    Lattice.Middle(j), Lattice.Circulation[Lattice.Ring(Lattice.ChordPanels - 1, j)], onStrip,
+                    stripWeights > 0f ? atStrip / stripWeights : default);
             }
 
             Loads = new WakeLoads(force, moment, power, weights > 0f ? inflow / weights : default);
         }
+
+        /// <summary>Loads of a strip, of those from the root to the tip.</summary>
+        public WakeSection Section(int strip) => m_Sections[strip];
     }
 }

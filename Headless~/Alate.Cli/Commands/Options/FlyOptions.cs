@@ -113,7 +113,16 @@ internal sealed class FlyOptions
     /// <exception cref="UserException">One is for flights on the spot alone.</exception>
     public void CheckFree(ParseResult parsed)
     {
-        Option[] both = [m_Seconds, m_Variant, m_NoPictures, m_Out];
+        CheckFree(parsed, m_Seconds, m_NoPictures);
+    }
+
+    /// <summary>Checks the options of a flight by a trim, which has its own beat and pitch.</summary>
+    /// <exception cref="UserException">One is for other flights alone.</exception>
+    public void CheckTrimmed(ParseResult parsed) => CheckFree(parsed, m_Speed, m_Climb, m_Substeps, m_View);
+
+    private void CheckFree(ParseResult parsed, params Option[] also)
+    {
+        Option[] both = [m_Variant, m_Out, .. also];
         Option given = All.Except(both).FirstOrDefault(option => parsed.GetResult(option) is { Implicit: false });
         if (given != null)
             throw new UserException($"{given.Name} is for flights on the spot; it does not go with --free.");

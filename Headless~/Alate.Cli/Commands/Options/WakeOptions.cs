@@ -44,15 +44,24 @@ internal sealed class WakeOptions
     private readonly Option<double?> m_Plane = Numbers.Optional(
         "--plane", "M", 0, 1000, "Distance of the plane of plane.csv behind the thorax, metres. [default: the length of a wing]");
 
+    private readonly Option<bool> m_Free =
+        new("--free") { Description = "The variant flight, with the beat and the pitch that carry it at --speed and --climb." };
+
     private readonly Option<bool> m_NoPictures =
-        new("--no-pictures") { Description = "Neither the plane, wake.png nor wake.glb: for many runs one after the other." };
+        new("--no-pictures") { Description = "Neither the plane, span.svg, wake.png nor wake.glb: for many runs one after the other." };
 
     public void AddTo(Command command)
     {
-        Option[] all = [m_Method, m_Downwash, m_Beats, m_Rounds, m_Steps, m_Across, m_Along, m_Keep, m_Ground, m_Plane, m_NoPictures];
+        Option[] all =
+        [
+            m_Free, m_Method, m_Downwash, m_Beats, m_Rounds, m_Steps, m_Across, m_Along, m_Keep, m_Ground, m_Plane, m_NoPictures,
+        ];
         foreach (Option option in all)
             command.Options.Add(option);
     }
+
+    /// <summary>Returns true where the insect is to fly by its trim.</summary>
+    public bool IsFree(ParseResult parsed) => parsed.GetValue(m_Free);
 
     /// <summary>Makes the plan that the user asked for.</summary>
     /// <exception cref="UserException">Options that exclude each other.</exception>
@@ -67,6 +76,7 @@ internal sealed class WakeOptions
         return new WakePlan
         {
             Method = method,
+            IsFree = IsFree(parsed),
             Downwash = parsed.GetValue(m_Downwash) ?? usual.Downwash,
             Beats = parsed.GetValue(m_Beats) ?? usual.Beats,
             Rounds = parsed.GetValue(m_Rounds) ?? usual.Rounds,

@@ -10,9 +10,7 @@ internal static class FreeRun
     public static FreeRecord Fly(FreePlan plan, Action<int> progress)
     {
         using FlightModel model = plan.Replay?.CreateModel() ?? CatalogueFlight.CreateModel(plan.Insect);
-        using TrimTable table = CatalogueFlight.CreateTable(plan.Insect, model)
-            ?? throw new UserException(
-                $"The {plan.Insect.DisplayName} has no trim table: 'trim {plan.Insect.Name}' says at which speeds it flies.");
+        using TrimTable table = TrimmedFlight.TableOf(plan.Insect, model);
         FlightRecording recording = plan.Replay?.Recording ?? NewRecording(plan, model);
         using FreeFlight flight = recording.StartFlight(model, table);
         IFlightPilot pilot = plan.Replay == null ? plan.Pilot.Create(plan, table) : null;

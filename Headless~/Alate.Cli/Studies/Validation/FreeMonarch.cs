@@ -29,7 +29,7 @@ internal sealed record FreeMonarch(double UpForce, double UpSupport, double Powe
         InsectDefinition monarch = InsectCatalogue.Find("monarch");
         using FlightModel model = CatalogueFlight.CreateModel(monarch);
         using TrimTable table = CatalogueFlight.CreateTable(monarch, model);
-        Refine(model, parameters => substeps);
+        TrimmedFlight.Refine(model, parameters => substeps);
         var level = FlightMeans.Fly(model, table, new FlightCondition(k_Speed, 0f), k_Seconds);
         (double down, double up) = Attacks(model, table);
         return new FreeMonarch(100 * level.UpForce, 100 * level.UpSupport, level.PowerPerMass, down, up, level.PitchBob);
@@ -44,7 +44,7 @@ internal sealed record FreeMonarch(double UpForce, double UpSupport, double Powe
     public static TrimState Climb(int substeps, TrimState start, (double Pitch, double Plane) measured, out (double Up, double Ahead) force)
     {
         using FlightModel model = CatalogueFlight.CreateModel(InsectCatalogue.Find("monarch"));
-        Refine(model, parameters => substeps);
+        TrimmedFlight.Refine(model, parameters => substeps);
         using var solver = new TrimSolver(model) { HoldsStill = true };
         TrimState trim = solver.Solve(s_Climb, start ?? solver.Start(), out double[] residual);
         TrimState animal = trim.Copy();
@@ -69,7 +69,7 @@ internal sealed record FreeMonarch(double UpForce, double UpSupport, double Powe
         left = double.NaN;
         if (climbing == null)
             return (double.NaN, double.NaN);
-        Refine(model, parameters => fineness * parameters.substepsPerBeat);
+        TrimmedFlight.Refine(model, parameters => fineness * parameters.substepsPerBeat);
         using var solver = new TrimSolver(model);
         TrimState fine = solver.Solve(s_Climb, climbing, out double[] residual);
         left = TrimSolver.Norm(residual);
@@ -85,16 +85,6 @@ internal sealed record FreeMonarch(double UpForce, double UpSupport, double Powe
         TrimState climbing = bake.Trims(solver, climbs)[0, 3];
         missing = bake.Problems[0, 3];
         return climbing;
-    }
-
-    private static void Refine(FlightModel model, Func<WingParameters, int> substeps)
-    {
-        foreach (FlightWing wing in model.Wings)
-        {
-            WingParameters parameters = wing.Parameters;
-            parameters.substepsPerBeat = substeps(parameters);
-            wing.Parameters = parameters;
-        }
     }
 
     // Means over the patches of the right wing, within a twentieth of a beat of the middle of each stroke.
