@@ -10,7 +10,7 @@ internal static class ValidateCommand
     /// <summary>Part of the front page.</summary>
     internal const string Part = "validation";
 
-    private const int k_Stages = 29;
+    private const int k_Stages = 33;
 
     public static Command Create(TextWriter output)
     {
@@ -41,6 +41,7 @@ internal static class ValidateCommand
     private static IReadOnlyList<Func<Action, IEnumerable<ValidationRow>>> Parts { get; } =
     [
         done => DragonflyRows.Flights(Fineness.Report, done), done => DragonflyRows.Tethered(Fineness.Report, done),
+        done => WakeRows.Dragonflies(Fineness.Report, done),
         done => ButterflyRows.Free(Fineness.Report, done), done => ButterflyRows.Climbing(Fineness.Report, done),
         done => ButterflyRows.Held(Fineness.Report, done), done => StructureRows.Droops(Fineness.Report, done),
         done => StructureRows.Motions(Fineness.Report, done), done => StructureRows.Insects(Fineness.Report, done),

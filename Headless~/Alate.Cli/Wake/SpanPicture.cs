@@ -61,7 +61,8 @@ internal static class SpanPicture
     {
         int3 bytes = WakeColours.Bytes(share);
         page.Append($"<rect x=\"{x:0.##}\" y=\"{y:0.##}\" width=\"{width:0.##}\" height=\"{height:0.##}\" ");
-        page.Append($"fill=\"#{bytes.x:x2}{bytes.y:x2}{bytes.z:x2}\" fill-opacity=\"{math.abs(share):0.###}\" shape-rendering=\"crispEdges\"/>\n");
+        page.Append($"fill=\"#{bytes.x:x2}{bytes.y:x2}{bytes.z:x2}\" fill-opacity=\"{math.abs(share):0.###}\" ");
+        page.Append($"shape-rendering=\"crispEdges\"/>\n");
     }
 
     private static string Text(FormattableString text) => text.ToString(CultureInfo.InvariantCulture).Replace('-', '−');

@@ -45,7 +45,7 @@ namespace Alate.Tests.Architecture
                     ["Bakes"] = ["Base"],
                     ["Films"] = ["Base", "Flights", "Wake"],
                     ["Wake"] = ["Base", "Flights"],
-                    ["Studies"] = ["Base", "Flights"],
+                    ["Studies"] = ["Base", "Flights", "Wake"],
                     ["Live"] = ["Base", "Flights"],
                     ["Commands"] = ["Bakes", "Base", "Films", "Flights", "Live", "Projects", "Studies", "Wake"],
                     ["Alate.Cli"] = ["Base", "Commands"],

@@ -31,6 +31,12 @@ public sealed class ReportRowLaws
         Compare("tethered dragonfly, ", 5, done => DragonflyRows.Tethered(new Fineness(24, 48), done), 0.05, 0.03);
 
     [Test]
+    [Explicit]
+    [Category("Long")]
+    public void DragonfliesInTheirWakes_AreThoseOfTheReport() =>
+        Compare(["dragonfly in its own wake"], 4, done => WakeRows.Dragonflies(new Fineness(48, 96), done), 0.03, 0.03);
+
+    [Test]
     public void AFreeMonarch_IsThatOfTheReport() =>
         Compare("monarch, free flight", 2, done => ButterflyRows.Free(new Fineness(16, 32), done), 0.2, 0.1, false);
 

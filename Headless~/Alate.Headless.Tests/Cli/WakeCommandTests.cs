@@ -171,11 +171,7 @@ namespace Alate.Tests.Cli
         public void WithItsWake_ADragonflyCarriesItsWeight(int number)
         {
             MeasuredDragonfly flight = MeasuredDragonfly.Flights[number];
-            var run = DragonflyRun.Fly(flight, true, 48, ownDrag: true);
-            IReadOnlyList<WingDefinition> kinds = InsectCatalogue.Find("dragonfly").Wings;
-            double[] chords = Enumerable.Range(0, 2)
-                .Select(k => flight.Areas[k] / (kinds[k].Outline.Area * flight.Lengths[k] * flight.Lengths[k])).ToArray();
-            using var wake = new WakeFlight(run.Record, new WakePlan { Chords = chords, Density = 1.225 });
+            using WakeFlight wake = WakeRows.Of(flight, 48, 3, 1, out DragonflyRun run);
             List<WakeMoment> beat = wake.Run(_ => { });
             Assert.That(beat.Average(at => at.Force.y) / flight.Weight, Is.EqualTo(1.0).Within(0.12));
             // Near that of the model without a wake, in the same units.

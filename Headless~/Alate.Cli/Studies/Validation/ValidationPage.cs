@@ -34,9 +34,10 @@ internal static class ValidationPage
         page.Append("The dragonfly's rows are flown with the catalogue's wings at the published lengths; the density of the air makes up "
             + "for the difference in area. Added mass goes with the square of the chord and is too large by as much, 7 to 10 % for the "
             + "tethered insect. Rows *with the drag of a dragonfly's wing* have the coefficients [Dragonfly](wing-preset.md#options), the "
-            + "others those of the presets. Their kinematics are [examples of the manual](kinematics.md#examples), digitised from plots by "
-            + "J. Pecquet.\n\nStrips are wings of [measured stiffness](wing-skeleton.md#measured-stiffness) without air; they are compared "
-            + "with beams.\n\n");
+            + "others those of the presets. Rows *in its own wake* have no induced flow but a free [wake](wake.md) by strips, in 24 steps "
+            + "of a beat and ten strips, and in twice as many of both beside twice the substeps. Their kinematics are "
+            + "[examples of the manual](kinematics.md#examples), digitised from plots by J. Pecquet.\n\nStrips are wings of "
+            + "[measured stiffness](wing-skeleton.md#measured-stiffness) without air; they are compared with beams.\n\n");
         page.Append("## Outside\n\n").Append(MarkdownTable.Write(Table(outside, true)));
         page.Append("\n## Inside\n\n").Append(MarkdownTable.Write(Table(inside, false)));
         page.Append("\n## Over the beat\n\nThe tethered dragonfly with the induced flow of momentum theory, but for the curve that says "
