@@ -14,6 +14,9 @@ namespace Alate.Editor
         public static readonly Color Velocity = new Color(1f, 1f, 1f, 0.9f), Wind = new Color(0.6f, 0.8f, 1f, 0.9f),
             Bounds = new Color(0.7f, 0.7f, 0.7f, 0.5f);
 
+        /// <summary>Rings that turn as a wing sheds them that the air pushes up, and the others.</summary>
+        public static readonly Color WakeUp = new Color(1f, 0.55f, 0.25f), WakeDown = new Color(0.35f, 0.6f, 1f);
+
         /// <summary>Colour of a delay: 0 yellow, with the root of the leading edge; 1 blue, last of all.</summary>
         public static Color Delay(float delay) =>
             delay < 0.5f ? Color.Lerp(s_Early, s_Middle, 2f * delay) : Color.Lerp(s_Middle, s_Late, 2f * delay - 1f);

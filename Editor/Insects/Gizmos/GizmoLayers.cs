@@ -26,5 +26,8 @@ namespace Alate.Editor
 
         /// <summary>Bounds of the meshes.</summary>
         Bounds = 32,
+
+        /// <summary>Vortex rings that the wings leave in the air; only in play.</summary>
+        Wake = 64,
     }
 }

@@ -19,6 +19,10 @@ namespace Alate.Editor
                     "Patch Loads", "The air's force on each patch of the surface, in play. Keeps the loads in memory while it is on.")),
                 (GizmoLayers.Velocity, new GUIContent(
                     "Velocity And Wind", "The body's velocity and the wind, in play; as long as the way in one beat.")),
+                (GizmoLayers.Wake, new GUIContent(
+                    "Wake", "Vortex rings that the wings leave in the air, in play, as if the insect flew on as it does now: orange and "
+                    + "blue turn opposite ways, the denser the stronger. A wake takes a second or so to appear, and some of each "
+                    + "frame's time.")),
                 (GizmoLayers.Bounds, new GUIContent("Bounds", "Bounds of the wings' meshes; in play those of the deformed part.")),
             };
         }

@@ -31,11 +31,19 @@ namespace Alate.Editor
             }
 
             if (insect.Live == null)
+            {
+                WakeGizmo.Drop(insect);
                 return;
+            }
+
             for (int wing = 0; wing < insect.Live.wings.Length; wing++)
                 DrawForces(insect, wing, layers, pen);
             if ((layers & GizmoLayers.Velocity) != 0)
                 DrawMotion(insect, pen);
+            if ((layers & GizmoLayers.Wake) != 0)
+                WakeGizmo.Draw(insect, pen);
+            else
+                WakeGizmo.Drop(insect);
         }
 
         private static void DrawChains(InsectWings insect, int wing, GizmoLayers layers, IGizmoPen pen)

@@ -33,8 +33,8 @@ namespace Alate.Editor
             });
         }
 
-        // Gizmos are drawn for what lies below a selected object, too.
-        private static bool IsSelected(InsectWings insect) =>
+        /// <summary>Returns true where the gizmos of an insect are drawn: it or an object above it is selected.</summary>
+        public static bool IsSelected(InsectWings insect) =>
             System.Array.Exists(Selection.transforms, selected => insect.transform.IsChildOf(selected));
     }
 }

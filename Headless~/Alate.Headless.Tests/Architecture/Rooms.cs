@@ -34,7 +34,7 @@ namespace Alate.Tests.Architecture
             ["Alate.Showcase"] = [],
             ["Alate.Authoring"] = ["Alate.Fitting", "Alate.Geometry", "Alate.Model"],
             ["Alate.Editor"] = ["Alate", "Alate.Authoring", "Alate.Catalogue", "Alate.Crowds", "Alate.Fitting", "Alate.Flight",
-                "Alate.Geometry", "Alate.Model"],
+                "Alate.Geometry", "Alate.Model", "Alate.Wake"],
             ["Alate.Proof"] = ["Alate", "Alate.Catalogue", "Alate.Crowds", "Alate.Flight", "Alate.Model", "Alate.Showcase"],
         };
 
