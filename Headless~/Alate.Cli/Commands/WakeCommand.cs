@@ -37,7 +37,7 @@ internal static class WakeCommand
         + "  wake monarch --free --speed 1.3 --rounds 4\n"
         + "  wake dragonfly --method panels --steps 40 --ground 0.03\n\n"
         + "Writes into the output folder:\n"
-        + "  wake.csv      force and power of each wing over the last beat, with the wake and without, N and W\n"
+        + "  wake.csv      force, moment and power of each wing over the last beat, and the force without the wake; N, W\n"
         + "  span.csv      circulation, force and moving air along the span of each wing over that beat, and span.svg\n"
         + "  inflow.json   mean and two harmonics of the air that the wake sets moving at each wing, m/s\n"
         + "  plane.csv     velocity and vorticity of the air in a plane behind the insect, mean of the last beat, and plane.svg\n"

@@ -2,13 +2,13 @@ using static Alate.Formats.CsvTable;
 
 namespace Alate.Cli;
 
-/// <summary>wake.csv: force and power of each wing over the last beat, with the wake and without, in axes of the body.</summary>
+/// <summary>wake.csv: loads of each wing over the last beat with the wake, and the force without it, in axes of the body.</summary>
 internal static class WakeTable
 {
     private static readonly string[] s_Header =
     [
-        "turn", "wing", "force_x_n", "force_y_n", "force_z_n", "power_w", "still_force_x_n", "still_force_y_n", "still_force_z_n",
-        "inflow_x_m_s", "inflow_y_m_s", "inflow_z_m_s",
+        "turn", "wing", "force_x_n", "force_y_n", "force_z_n", "moment_x_nm", "moment_y_nm", "moment_z_nm", "power_w",
+        "still_force_x_n", "still_force_y_n", "still_force_z_n", "inflow_x_m_s", "inflow_y_m_s", "inflow_z_m_s",
     ];
 
     /// <summary>Rows: each wing at each step. Where the flight is symmetric the right wings alone.</summary>
@@ -26,8 +26,9 @@ internal static class WakeTable
                 yield return
                 [
                     Number(at.Turns), NameOf(shed[k]), Number(load.Force.x), Number(load.Force.y), Number(load.Force.z),
-                    Number(load.Power), Number(without.x), Number(without.y), Number(without.z), Number(load.Inflow.x),
-                    Number(load.Inflow.y), Number(load.Inflow.z),
+                    Number(load.Moment.x), Number(load.Moment.y), Number(load.Moment.z), Number(load.Power),
+                    Number(without.x), Number(without.y), Number(without.z),
+                    Number(load.Inflow.x), Number(load.Inflow.y), Number(load.Inflow.z),
                 ];
             }
         }

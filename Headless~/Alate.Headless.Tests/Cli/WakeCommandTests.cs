@@ -53,7 +53,7 @@ namespace Alate.Tests.Cli
             Assert.That(wing.GetProperty("wing").GetString(), Is.EqualTo("right hind wing"));
             for (int axis = 0; axis < 3; axis++)
             {
-                double[] values = rows.Select(row => Number(row[9 + axis])).ToArray();
+                double[] values = rows.Select(row => Number(row[12 + axis])).ToArray();
                 Assert.That(wing.GetProperty("mean_m_s")[axis].GetDouble(), Is.EqualTo(values.Average()).Within(2e-5));
                 double cosine = 2.0 * values.Select((value, k) => value * Math.Cos(4.0 * Math.PI * k / 16.0)).Average();
                 Assert.That(wing.GetProperty("cosine_2_m_s")[axis].GetDouble(), Is.EqualTo(cosine).Within(2e-5));
@@ -85,6 +85,19 @@ namespace Alate.Tests.Cli
             GlbLooksTests.Validate(Path.Combine(run.Out, "wake.glb"));
         }
 
+        // Newton metres about the thorax: a wing's force acts between a third and all of its length out.
+        [Test]
+        public void Moments_AreThoseOfTheForces_AboutTheThorax()
+        {
+            double length = InsectCatalogue.Find("dragonfly").Wings[0].Outline.Length;
+            foreach (string[] row in Rows().Skip(1).Where(row => row[1] == "right fore wing"))
+            {
+                double lift = Number(row[3]), roll = Number(row[7]);
+                if (Math.Abs(lift) > 1e-3)
+                    Assert.That(Math.Abs(roll / lift) / length, Is.InRange(0.3, 1.1), $"roll over the lift of {lift} N");
+            }
+        }
+
         // Newtons per metre over the length of a wing are the force of wake.csv, and what lifts turns as it should.
         [Test]
         public void StripsOfTheSpan_AreInMetresAndNewtons_AndLiftInTheDownstroke()
@@ -98,7 +111,7 @@ namespace Alate.Tests.Cli
                 for (int axis = 0; axis < 3; axis++)
                 {
                     Assert.That(strips.Sum(row => Number(row[4 + axis])) * length / 5, Is.EqualTo(Number(wing[2 + axis])).Within(2e-6));
-                    Assert.That(Number(wing[9 + axis]), Is.InRange(
+                    Assert.That(Number(wing[12 + axis]), Is.InRange(
                         strips.Min(row => Number(row[7 + axis])) - 1e-6, strips.Max(row => Number(row[7 + axis])) + 1e-6));
                 }
 
