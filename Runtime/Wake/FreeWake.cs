@@ -34,7 +34,7 @@ namespace Alate.Wake
                 points += settings.Rows * (settings.SpanPanels + 1);
             }
 
-            m_Field = new VortexField(vertices, math.max(points, first[wings.Count]), settings.Images);
+            m_Field = new VortexField(vertices, math.max(points, first[wings.Count]), settings.Images, settings.OnOneThread);
             m_Solver = settings.Method == WakeMethod.Panels
                 ? new PanelSolver(settings, m_Wings, first)
                 : new StripSolver(settings, m_Wings, first);

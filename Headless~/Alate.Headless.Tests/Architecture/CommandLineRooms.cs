@@ -46,7 +46,7 @@ namespace Alate.Tests.Architecture
                     ["Films"] = ["Base", "Flights", "Wake"],
                     ["Wake"] = ["Base", "Flights"],
                     ["Studies"] = ["Base", "Flights", "Wake"],
-                    ["Live"] = ["Base", "Flights"],
+                    ["Live"] = ["Base", "Flights", "Wake"],
                     ["Commands"] = ["Bakes", "Base", "Films", "Flights", "Live", "Projects", "Studies", "Wake"],
                     ["Alate.Cli"] = ["Base", "Commands"],
                 },
@@ -87,7 +87,8 @@ namespace Alate.Tests.Architecture
                 },
                 ["Alate.Cli/Live"] = new Dictionary<string, string[]>
                 {
-                    ["Scenes"] = [],
+                    ["Wakes"] = [],
+                    ["Scenes"] = ["Wakes"],
                     ["Server"] = ["Scenes"],
                 },
                 ["Alate.Cli/Commands"] = new Dictionary<string, string[]>

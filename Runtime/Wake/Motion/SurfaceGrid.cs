@@ -55,6 +55,12 @@ namespace Alate.Wake
         /// <summary>Number of sections, root first.</summary>
         public int Along { get; }
 
+        /// <summary>Corners of the triangle on which a place lies; the index is that of <see cref="Evaluate"/>.</summary>
+        internal int3 Corners(int place) => m_Corners[place];
+
+        /// <summary>Shares of those corners in the place.</summary>
+        internal float3 Shares(int place) => m_Shares[place];
+
         /// <summary>Places on the moved mesh.</summary>
         /// <param name="positions">[vertex] Positions.</param>
         /// <returns>[place of the section · sections + section] As chains and joints of <see cref="FourierMotion"/>.</returns>

@@ -78,6 +78,11 @@ namespace Alate.Wake
         /// <summary>Unit normal of the ground, in axes of the body.</summary>
         public float3 Up { get; set; } = new float3(0f, 1f, 0f);
 
+        /// <summary>
+        /// Computes on the thread that steps the wake, without jobs: for a wake beside the thread that schedules them.
+        /// </summary>
+        internal bool OnOneThread { get; set; }
+
         internal MirrorImages Images => new MirrorImages(Symmetric, math.isfinite(GroundHeight), Up, GroundHeight);
 
         internal float Step => 1f / StepsPerBeat;

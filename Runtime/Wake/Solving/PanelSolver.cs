@@ -35,7 +35,7 @@ namespace Alate.Wake
             m_Settings = settings;
             m_Wings = wings;
             m_First = first;
-            m_Influences = new RingInfluences(first, settings.Images);
+            m_Influences = new RingInfluences(first, settings.Images, settings.OnOneThread);
             int count = first[wings.Length];
             m_System = new LinearSystem(count);
             m_Circulation = new float[count];

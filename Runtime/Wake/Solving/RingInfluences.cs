@@ -26,6 +26,7 @@ namespace Alate.Wake
         private readonly int[] m_Starts;
         private readonly MirrorImages m_Images;
         private readonly int m_Count, m_Stride;
+        private readonly bool m_OnOneThread;
 
         // [ring · 2 · 5] The ring as its own wing feels it, then as others do.
         private NativeArray<VortexVertex> m_Vertices;
@@ -35,9 +36,11 @@ namespace Alate.Wake
         /// <summary>Takes the memory.</summary>
         /// <param name="first">[wing] First ring of each wing, and one past the last.</param>
         /// <param name="images">Planes of the flow.</param>
-        public RingInfluences(int[] first, MirrorImages images)
+        /// <param name="onOneThread">True to compute on the calling thread, without jobs.</param>
+        public RingInfluences(int[] first, MirrorImages images, bool onOneThread = false)
         {
             m_First = first;
+            m_OnOneThread = onOneThread;
             m_Images = images;
             m_Count = first[first.Length - 1];
             // Each wing's points begin a quartet pair of their own, so that one core suits all of a block.
@@ -102,7 +105,14 @@ namespace Alate.Wake
         {
             var job = new InfluenceJob { vertices = m_Vertices, points = m_Points, own = m_OwnQuartets, influences = m_Influences };
             job.Validate(m_Count);
-            job.ScheduleParallel(m_Count, 8, default).Complete();
+            if (!m_OnOneThread)
+            {
+                job.ScheduleParallel(m_Count, 8, default).Complete();
+                return;
+            }
+
+            for (int k = 0; k < m_Count; k++)
+                job.Execute(k);
         }
 
         /// <summary>Velocity at a point of a wing that a ring of unit circulation induces, itself and by its images.</summary>

@@ -18,6 +18,7 @@ namespace Alate.Wake
         private const int k_Batch = 20000;
 
         private readonly MirrorImages m_Images;
+        private readonly bool m_OnOneThread;
         private NativeArray<VortexVertex> m_Vertices;
         private NativeArray<SoaFloat3> m_Points, m_Velocities;
         private int m_Count, m_Stride;
@@ -26,9 +27,11 @@ namespace Alate.Wake
         /// <param name="vertices">Most vertices at a time.</param>
         /// <param name="points">Most points at a time, images apart.</param>
         /// <param name="images">Planes of the flow.</param>
-        public VortexField(int vertices, int points, MirrorImages images)
+        /// <param name="onOneThread">True to compute on the calling thread, without jobs.</param>
+        public VortexField(int vertices, int points, MirrorImages images, bool onOneThread = false)
         {
             m_Images = images;
+            m_OnOneThread = onOneThread;
             PointCapacity = points;
             int quartets = images.Count * Padded(points) / k_Lanes;
             m_Vertices = new NativeArray<VortexVertex>(vertices, Allocator.Persistent);
@@ -82,14 +85,21 @@ namespace Alate.Wake
             }
         }
 
-        /// <summary>Computes what all segments induce at all points, on all cores.</summary>
+        /// <summary>Computes what all segments induce at all points, on all cores or on this thread.</summary>
         public void Induce()
         {
             int blocks = m_Images.Count * m_Stride / k_Points;
             var job = new InducedVelocityJob { vertices = m_Vertices, vertexCount = m_Count, points = m_Points, velocities = m_Velocities };
             job.Validate(blocks);
-            job.ScheduleParallel(blocks, math.max(1, k_Batch / (k_Points * math.max(m_Count, 1))), default).Complete();
             Influences += (long)blocks * k_Points * m_Count;
+            if (!m_OnOneThread)
+            {
+                job.ScheduleParallel(blocks, math.max(1, k_Batch / (k_Points * math.max(m_Count, 1))), default).Complete();
+                return;
+            }
+
+            for (int k = 0; k < blocks; k++)
+                job.Execute(k);
         }
 
         /// <summary>Velocity at a point, of the segments and all of their images.</summary>

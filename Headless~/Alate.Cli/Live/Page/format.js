@@ -1,8 +1,11 @@
 // Reads the states that the simulation sends: little-endian, metres, glTF's axes (X to the left of the insect, Y up, Z ahead).
-//   u32 magic, u32 columns, f64 simulated seconds, u32 number, u32 0
+//   u32 magic, u32 columns, f64 simulated seconds, u32 number, u32 1 with wakes, 0 without
 //   each column: f32 phase, u32 beats, f32 hertz, f32 lift, f32 drag (weights), f32 flap (radians), u32 substeps of a beat, u32 wings
 //   each wing: u32 vertices, u32 joints, f32 reach, f32 force x 3 (weights), f32 x 3 joints, f32 x 3 loads (weights),
 //              i16 x 4 a vertex: place / reach, and attack in degrees * 256 + stretch in tenths of a per cent; i8 x 4 a vertex: normal
+//   with wakes, behind the wings of each column: u32 sheets, none before the first are done, else as many as wings
+//   each sheet: u32 rows, u32 points of a row, f32 reach, f32 strongest circulation (m²/s), i16 x 4 a point: place / reach, and circulation
+//              behind it / strongest, positive as a wing sheds it that the air pushes up; the first row lies at the trailing edge
 export const MAGIC = 0x54414c41, GLB = 0x46546c67;
 
 export function magicOf(buffer) {
@@ -11,7 +14,7 @@ export function magicOf(buffer) {
 
 export function decode(buffer) {
   const view = new DataView(buffer);
-  const state = { time: view.getFloat64(8, true), number: view.getUint32(16, true), columns: [] };
+  const state = { time: view.getFloat64(8, true), number: view.getUint32(16, true), columns: [] }, hasWakes = view.getUint32(20, true) === 1;
   let at = 24;
   const number = () => view.getFloat32((at += 4) - 4, true);
   const whole = () => view.getUint32((at += 4) - 4, true);
@@ -21,13 +24,17 @@ export function decode(buffer) {
     return values;
   };
   for (let left = view.getUint32(4, true); left > 0; left--) {
-    const column = { phase: number(), beats: whole(), hertz: number(), lift: number(), drag: number(), flap: number(), substeps: whole(), wings: [] };
+    const column = { phase: number(), beats: whole(), hertz: number(), lift: number(), drag: number(), flap: number(), substeps: whole(), wings: [], sheets: [] };
     for (let wings = whole(); wings > 0; wings--) {
       const vertices = whole(), joints = whole(), reach = number(), force = [number(), number(), number()];
       column.wings.push({
         vertices, reach, force, joints: take(Float32Array, 3 * joints), loads: take(Float32Array, 3 * joints),
         places: take(Int16Array, 4 * vertices), normals: take(Int8Array, 4 * vertices),
       });
+    }
+    for (let sheets = hasWakes ? whole() : 0; sheets > 0; sheets--) {
+      const rows = whole(), width = whole(), reach = number(), strongest = number();
+      column.sheets.push({ rows, width, reach, strongest, places: take(Int16Array, 4 * rows * width) });
     }
     state.columns.push(column);
   }

@@ -43,8 +43,8 @@ export class Live {
     this.listener[message.type](message);
   }
 
-  remember({ species, variant, compare, paused, values }) {
-    this.wanted = { species, variant, compare, paused, values };
+  remember({ species, variant, compare, paused, wake, values }) {
+    this.wanted = { species, variant, compare, paused, wake, values };
   }
 
   set(change) {

@@ -1,7 +1,7 @@
 import { Baked } from './baked.js';
 import { Chart } from './chart.js';
 import { Live } from './live.js';
-import { ramps } from './overlays.js';
+import { ramps, wake } from './overlays.js';
 import { Panel } from './panel.js';
 
 const get = (id) => document.getElementById(id), isLive = document.documentElement.dataset.mode === 'live';
@@ -49,12 +49,16 @@ function place(stage) {
   Object.assign(stage, { room, isOld: true });
 }
 
-function legend(field) {
-  get('legend').hidden = !field;
-  if (!field)
+// Of the colours of the mesh, or of those of the wake.
+function legend(field, state) {
+  const strongest = state?.columns.flatMap(({ sheets }) => sheets ?? []).reduce((most, sheet) => Math.max(most, sheet.strongest), 0);
+  get('legend').hidden = !field && !strongest;
+  if (get('legend').hidden)
     return;
-  const ramp = ramps[field], pen = get('ramp').getContext('2d'), shade = pen.createLinearGradient(0, 0, 200, 0);
+  const most = Number((1e4 * strongest).toPrecision(2)), ramp = field ? ramps[field] : { ...wake, stops: [wake.stops[0], `${wake.stops[0]}00`, wake.stops[1]], low: `−${most}`, high: most, unit: ' cm²/s' };
+  const pen = get('ramp').getContext('2d'), shade = pen.createLinearGradient(0, 0, 200, 0);
   ramp.stops.forEach((stop, k) => shade.addColorStop(k / (ramp.stops.length - 1), stop));
+  pen.clearRect(0, 0, 200, 10);
   pen.fillStyle = shade;
   pen.fillRect(0, 0, 200, 10);
   get('legend-title').textContent = ramp.title;
@@ -72,8 +76,8 @@ if (stage) {
     save: () => source.save(),
     home: () => stage.home(),
     show: (name, on) => {
-      if (name === 'compare') {
-        source.set({ compare: on });
+      if (name === 'compare' || name === 'wake') {
+        source.set({ [name]: on });
         return;
       }
       if (on && ramps[name]) {
@@ -85,7 +89,7 @@ if (stage) {
       shown[on ? 'add' : 'delete'](name);
       panel.press(name, on);
       stage.shown = { field: Object.keys(ramps).find((field) => shown.has(field)), skeleton: shown.has('skeleton'), loads: shown.has('loads'), forces: shown.has('forces') };
-      legend(stage.shown.field);
+      legend(stage.shown.field, latest);
       get('chart').hidden = !shown.has('chart');
       if (latest)
         stage.setState(latest);
@@ -157,6 +161,7 @@ if (stage) {
     const column = latest?.columns[full];
     if (column)
       get('readout').replaceChildren(...readout(column));
+    legend(stage.shown.field, latest);
   }, 1000);
   addEventListener('resize', () => place(stage));
   const draw = () => {

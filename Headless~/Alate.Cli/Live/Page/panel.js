@@ -83,6 +83,7 @@ export class Panel {
     get('variant').value = settings.variant;
     get('pause').textContent = settings.paused ? 'Fly on' : 'Pause';
     this.press('compare', settings.compare);
+    this.press('wake', Boolean(settings.wake));
     for (const [name, number] of Object.entries(settings.values))
       this.sliders.get(name)?.set(number);
   }

@@ -1,5 +1,5 @@
 import { blob, colours, floats, wholes } from './format.js';
-import { Arrows, heat, ramps } from './overlays.js';
+import { Arrows, Sheet, heat, ramps } from './overlays.js';
 
 const HOME = { aside: 0.68, above: 0.5, distance: 4.1 }, HALF = Math.tan(Math.PI / 180 * 14);
 
@@ -56,7 +56,7 @@ export class Stage {
       group.add(...wings.map((wing) => wing.mesh), skeleton, loads.object, ...forces.map((arrow) => arrow.object));
       group.traverse((part) => { part.frustumCulled = false; });
       this.scene.add(group);
-      this.columns.push({ group, wings, skeleton, loads, forces, title: column.title });
+      this.columns.push({ group, wings, skeleton, loads, forces, sheets: [], title: column.title });
     }
     this.reach = scene.reach;
   }
@@ -144,12 +144,26 @@ export class Stage {
     });
     lines.needsUpdate = true;
     column.loads.update();
+    this.shed(column, from.sheets);
     const length = 0.35 * this.reach;
     column.forces[0].set(0, 0, 0, 0, 0, from.lift, 0, length);
     column.forces[1].set(0, 0, 0, 0, 0, 0, -from.drag, length);
     column.forces.forEach((force) => {
       force.object.visible = shown.forces;
       force.update();
+    });
+  }
+
+  // The rings behind the wings, where a state has some.
+  shed(column, sheets = []) {
+    while (column.sheets.length < sheets.length) {
+      column.sheets.push(new Sheet(this.three));
+      column.group.add(column.sheets.at(-1).object);
+    }
+    column.sheets.forEach((sheet, k) => {
+      sheet.object.visible = k < sheets.length;
+      if (k < sheets.length)
+        sheet.set(sheets[k]);
     });
   }
 

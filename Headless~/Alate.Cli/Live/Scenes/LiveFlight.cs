@@ -9,11 +9,19 @@ internal sealed class LiveFlight : IDisposable
     /// <summary>Of the bytes that stand for stretches: 25.5 % at most.</summary>
     private const float k_StrainSteps = 1000f;
 
+    /// <summary>
+    /// Longest step that is made in one piece with a wake, beats: a step keeps twelve poses on its way, and a wake takes 24 a beat.
+    /// </summary>
+    private const double k_LongestPiece = 0.4;
+
     private readonly TetheredWings m_Wings;
     private readonly WingFields[] m_Fields;
     private readonly float3[][] m_Positions;
+    private readonly float3[] m_Forces;
     private double m_Stepped, m_Last;
+    private int m_Pieces;
     private FlightPlan m_Plan;
+    private LiveWake m_Wake;
 
     /// <exception cref="UserException">A parameter is out of range, or a mesh and its skeleton do not fit.</exception>
     public LiveFlight(FlightPlan plan, Insect insect)
@@ -23,6 +31,7 @@ internal sealed class LiveFlight : IDisposable
         m_Wings.RecordPatches();
         m_Fields = m_Wings.All.Select(wing => new WingFields(wing)).ToArray();
         m_Positions = m_Wings.All.Select(wing => new float3[wing.Rest.Length]).ToArray();
+        m_Forces = new float3[m_Positions.Length];
     }
 
     public IReadOnlyList<RecordedWing> Wings => m_Wings.All;
@@ -35,12 +44,30 @@ internal sealed class LiveFlight : IDisposable
     /// <summary>Hertz of this beat.</summary>
     public float Frequency => m_Wings.Read(0).Frequency;
 
-    /// <summary>Changes the flight from here on.</summary>
+    /// <summary>The wake; null where none is shown.</summary>
+    public LiveWake Wake => m_Wake;
+
+    /// <summary>Changes the flight from here on; a wake begins again.</summary>
     /// <exception cref="UserException">A parameter is out of range; the flight goes on as before.</exception>
     public void Change(FlightPlan plan)
     {
+        if (plan == m_Plan)
+            return;
         m_Wings.Change(plan);
         m_Plan = plan;
+        m_Wake?.Restart(plan);
+    }
+
+    /// <summary>Shows a wake from here on, or none.</summary>
+    /// <exception cref="UserException">A wing has no chord somewhere; none is shown.</exception>
+    public void ShowWake(bool isShown)
+    {
+        if (isShown == (m_Wake != null))
+            return;
+        m_Wake?.Dispose();
+        m_Wake = null;
+        if (isShown)
+            m_Wake = new LiveWake(m_Wings, m_Plan);
     }
 
     /// <summary>Lets time pass: whole substeps, as in a game, and between the last two what is drawn.</summary>
@@ -50,12 +77,7 @@ internal sealed class LiveFlight : IDisposable
         double substep = 1.0 / (Frequency * Wings[0].Parameters.substepsPerBeat);
         int count = (int)Math.Ceiling((Time - m_Stepped) / substep);
         if (count > 0)
-        {
-            m_Last = count * substep;
-            m_Wings.World.Step((float)m_Last);
-            m_Stepped += m_Last;
-        }
-
+            Step(count, substep);
         m_Wings.World.Skin(Alpha);
     }
 
@@ -64,8 +86,7 @@ internal sealed class LiveFlight : IDisposable
     {
         WingReading first = m_Wings.Read(0);
         (float lift, float drag) = LiftAndDrag();
-        double turns = Math.Max(first.Beats + first.Phase / (2.0 * Math.PI) - (m_Stepped - Time) * first.Frequency, 0.0),
-            beats = Math.Floor(turns);
+        double turns = Turns(first), beats = Math.Floor(turns);
         buffer.Add((float)(2.0 * Math.PI * (turns - beats)));
         buffer.Add((uint)beats);
         buffer.Add(first.Frequency);
@@ -76,13 +97,44 @@ internal sealed class LiveFlight : IDisposable
         buffer.Add((uint)Wings.Count);
         for (int wing = 0; wing < Wings.Count; wing++)
             WriteWing(buffer, wing);
+        m_Wake?.Write(buffer, turns, m_Positions);
     }
 
-    public void Dispose() => m_Wings.Dispose();
+    public void Dispose()
+    {
+        m_Wake?.Dispose();
+        m_Wings.Dispose();
+    }
 
     private float Alpha => m_Last > 0.0 ? (float)Math.Clamp(1.0 - (m_Stepped - Time) / m_Last, 0.0, 1.0) : 1f;
 
     private float Weight => Wings[0].Wing.Preset.Size.insectMass * EarthGravity.Size;
+
+    // Time that is drawn, beats.
+    private double Turns(in WingReading first) =>
+        Math.Max(first.Beats + first.Phase / (2.0 * Math.PI) - (m_Stepped - Time) * first.Frequency, 0.0);
+
+    // In pieces whose poses are as close as a wake wants them; forces are the means over all of them.
+    private void Step(int count, double substep)
+    {
+        int longest = m_Wake == null ? count : Math.Max((int)(k_LongestPiece * Wings[0].Parameters.substepsPerBeat), 1);
+        Array.Clear(m_Forces);
+        m_Pieces = 0;
+        for (int done = 0; done < count; m_Pieces++)
+        {
+            int piece = Math.Min(longest, count - done);
+            m_Last = piece * substep;
+            m_Wings.World.Step((float)m_Last);
+            m_Stepped += m_Last;
+            done += piece;
+            for (int wing = 0; wing < m_Forces.Length; wing++)
+                m_Forces[wing] += m_Wings.Read(wing).AirForce * ((float)piece / count);
+            WingReading first = m_Wings.Read(0);
+            m_Wake?.Follow(first.Beats + first.Phase / (2.0 * Math.PI), m_Last, first.Frequency);
+        }
+    }
+
+    private float3 AirForce(int wing) => m_Pieces > 1 ? m_Forces[wing] : m_Wings.Read(wing).AirForce;
 
     // On the body, over the insect's weight.
     private float3 Force(int wing, float3 force)
@@ -95,7 +147,7 @@ internal sealed class LiveFlight : IDisposable
     {
         float3 force = default, up = m_Plan.UpOfBody;
         for (int wing = 0; wing < Wings.Count; wing++)
-            force += Force(wing, m_Wings.Read(wing).AirForce);
+            force += Force(wing, AirForce(wing));
         float3 ahead = math.cross(new float3(1f, 0f, 0f), up);
         return (math.dot(force, up), -math.dot(force, ahead));
     }
@@ -121,7 +173,7 @@ internal sealed class LiveFlight : IDisposable
         buffer.Add((uint)recorded.Rest.Length);
         buffer.Add((uint)joints);
         buffer.Add(reach);
-        buffer.Add(FileAxes.ToGltf(Force(wing, reading.AirForce)));
+        buffer.Add(FileAxes.ToGltf(Force(wing, AirForce(wing))));
         for (int joint = 0; joint < joints; joint++)
         {
             buffer.Add(FileAxes.ToGltf(

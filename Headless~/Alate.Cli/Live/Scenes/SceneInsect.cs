@@ -10,6 +10,9 @@ internal sealed class SceneInsect : IDisposable
 
     private const uint k_Magic = 0x54414C41; // ALAT
 
+    /// <summary>Bit of a state that has a wake behind the wings of each column.</summary>
+    private const uint k_WithWake = 1;
+
     private List<LiveFlight> m_Flights = [];
     private OwnWing m_Own;
     private uint m_Sequence;
@@ -42,8 +45,18 @@ internal sealed class SceneInsect : IDisposable
 
         if (settings == Settings)
             return false;
-        foreach (LiveFlight flight in m_Flights)
-            flight.Change(settings.Plan(flight.Column));
+        ShowWake(m_Flights, settings.HasWake);
+        try
+        {
+            foreach (LiveFlight flight in m_Flights)
+                flight.Change(settings.Plan(flight.Column));
+        }
+        catch
+        {
+            ShowWake(m_Flights, Settings.HasWake);
+            throw;
+        }
+
         Settings = settings;
         return false;
     }
@@ -88,7 +101,7 @@ internal sealed class SceneInsect : IDisposable
         state.Add((uint)m_Flights.Count);
         state.Add(m_Flights[0].Time);
         state.Add(m_Sequence++);
-        state.Add(0u);
+        state.Add(Settings.HasWake ? k_WithWake : 0u);
         foreach (LiveFlight flight in m_Flights)
         {
             flight.Advance(seconds);
@@ -115,10 +128,12 @@ internal sealed class SceneInsect : IDisposable
     {
         Insect insect = InsectOf(settings, own);
         var flights = new List<LiveFlight>();
+        string remark;
         try
         {
             foreach (ComparisonColumn column in settings.Columns)
                 flights.Add(new LiveFlight(settings.Plan(column), insect));
+            remark = TryShowWake(flights, ref settings, own?.Remark ?? "");
         }
         catch
         {
@@ -128,7 +143,36 @@ internal sealed class SceneInsect : IDisposable
 
         m_Flights.ForEach(flight => flight.Dispose());
         (m_Flights, m_Own, Settings) = (flights, own, settings);
-        return SceneMessage.Scene(insect, flights[0].Wings, flights.Select(flight => flight.Column), settings, own?.Remark ?? "");
+        return SceneMessage.Scene(insect, flights[0].Wings, flights.Select(flight => flight.Column), settings, remark);
+    }
+
+    // A wing of the viewer's own that sheds none flies without.
+    private static string TryShowWake(List<LiveFlight> flights, ref ViewSettings settings, string remark)
+    {
+        try
+        {
+            ShowWake(flights, settings.HasWake);
+            return remark;
+        }
+        catch (UserException problem)
+        {
+            settings = settings with { HasWake = false };
+            return $"{remark} {problem.Message}".Trim();
+        }
+    }
+
+    // All flights have one, or none has.
+    private static void ShowWake(List<LiveFlight> flights, bool isShown)
+    {
+        try
+        {
+            flights.ForEach(flight => flight.ShowWake(isShown));
+        }
+        catch
+        {
+            flights.ForEach(flight => flight.ShowWake(false));
+            throw;
+        }
     }
 
     private static Insect InsectOf(ViewSettings settings, OwnWing own)

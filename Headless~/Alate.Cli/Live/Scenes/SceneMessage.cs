@@ -39,6 +39,7 @@ internal static class SceneMessage
         ["variant"] = KnownSpecies.Word(settings.Variant),
         ["compare"] = settings.IsCompared,
         ["paused"] = settings.IsPaused,
+        ["wake"] = settings.HasWake,
         ["values"] = new JsonObject(ViewSlider.All.Select(slider => KeyValuePair.Create(slider.Name, (JsonNode)slider.Of(settings)))),
     };
 

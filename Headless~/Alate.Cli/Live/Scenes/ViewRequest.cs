@@ -9,7 +9,7 @@ internal sealed class ViewRequest
 
     private readonly Dictionary<string, double> m_Values = [];
     private string m_Species, m_Variant;
-    private bool? m_IsCompared, m_IsPaused;
+    private bool? m_IsCompared, m_IsPaused, m_HasWake;
 
     private ViewRequest()
     {
@@ -49,14 +49,19 @@ internal sealed class ViewRequest
         if (m_Species != null || m_Variant != null)
         {
             InsectVariant variant = Variant();
-            bool isCompared = settings.IsCompared;
+            (bool isCompared, bool hasWake) = (settings.IsCompared, settings.HasWake);
             settings = ViewSettings.Of(KnownSpecies.Find(m_Species ?? settings.Species, variant), variant);
-            settings = settings with { IsCompared = isCompared };
+            settings = settings with { IsCompared = isCompared, HasWake = hasWake };
         }
 
         foreach ((string name, double value) in m_Values)
             settings = ViewSlider.Set(settings, name, value);
-        return settings with { IsCompared = m_IsCompared ?? settings.IsCompared, IsPaused = m_IsPaused ?? settings.IsPaused };
+        return settings with
+        {
+            IsCompared = m_IsCompared ?? settings.IsCompared,
+            IsPaused = m_IsPaused ?? settings.IsPaused,
+            HasWake = m_HasWake ?? settings.HasWake,
+        };
     }
 
     private InsectVariant Variant()
@@ -88,6 +93,9 @@ internal sealed class ViewRequest
                 break;
             case "paused":
                 m_IsPaused = property.Value.GetBoolean();
+                break;
+            case "wake":
+                m_HasWake = property.Value.GetBoolean();
                 break;
             case "values":
                 foreach (JsonProperty value in property.Value.EnumerateObject())

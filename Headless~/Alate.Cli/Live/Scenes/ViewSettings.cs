@@ -18,6 +18,9 @@ internal sealed record ViewSettings
 
     public bool IsPaused { get; init; }
 
+    /// <summary>True where the air behind the wings is shown.</summary>
+    public bool HasWake { get; init; }
+
     /// <summary>The columns to show.</summary>
     public IReadOnlyList<ComparisonColumn> Columns => IsCompared ? ComparisonColumn.All : [ComparisonColumn.FullModel];
 
