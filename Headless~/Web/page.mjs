@@ -21,6 +21,11 @@ function all(values, wanted, what, within) {
   wanted.forEach((value, k) => near(values[k], value, `${what} ${k}`, within));
 }
 
+// The sRGB of linear light; opacity is none of it.
+function encode(value, k) {
+  return k % 4 === 3 ? value : value <= 0.0031308 ? 12.92 * value : 1.055 * value ** (1 / 2.4) - 0.055;
+}
+
 const cases = {
   decode() {
     const state = decode(buffer()), [column] = state.columns;
@@ -56,13 +61,39 @@ const cases = {
     near(between.places[3], 7, 'packed numbers are those of the earlier state');
   },
 
+  async sheets() {
+    // Two columns of two rows of three points, the second without a wake yet.
+    const column = (sheets) => [...new Uint8Array(28), 0, 0, 0, 0, ...u32(sheets)], u32 = (...values) => new Uint8Array(Uint32Array.from(values).buffer);
+    const f32 = (...values) => new Uint8Array(Float32Array.from(values).buffer);
+    const points = Int16Array.from({ length: 24 }, (_, k) => k % 4 === 3 ? (k < 12 ? 32767 : -16384) : 1000 * k);
+    const made = Uint8Array.from([...u32(MAGIC, 2, 0, 0, 7, 1), ...column(1), ...u32(2, 3), ...f32(0.5, 0.04), ...new Uint8Array(points.buffer), ...column(0)]);
+    const [first, second] = decode(made.buffer).columns, [sheet] = first.sheets;
+    near(second.sheets.length, 0, 'sheets of the second column');
+    all([sheet.rows, sheet.width, sheet.reach, sheet.strongest], [2, 3, 0.5, 0.04], 'sheet');
+    all([...sheet.places], [...points], 'places');
+
+    const { Sheet, shade } = await load('overlays.js'), colour = new Float32Array(4);
+    for (const { share, colour: wanted } of told.wakeColours) {
+      shade(share, 1, colour, 0);
+      all([...colour].map(encode), wanted, `colour of ${share}`, 1e-4);
+      shade(share, 0.5, colour, 0);
+      near(colour[3], wanted[3] / 2, 'half as dense where it is old');
+    }
+    const drawn = new Sheet(fake());
+    drawn.set(sheet);
+    const { position, color } = drawn.geometry.attributes;
+    all([...position.array.subarray(0, 24)], [...points], 'places that are drawn');
+    all([color.array[3], color.array[4 * 3 + 3]], [0.7, 0], 'dense at the edge, none at the end');
+    all([...drawn.geometry.index.array.subarray(0, drawn.geometry.range[1])], [0, 1, 3, 1, 4, 3, 1, 2, 4, 2, 5, 4], 'triangles');
+  },
+
   texts() {
     const text = (values) => Buffer.from(values.buffer).toString('base64');
     all(floats(text(Float32Array.of(1.5, -2))), [1.5, -2], 'floats');
     all(wholes(text(Uint32Array.of(70000, 3))), [70000, 3], 'whole numbers');
     // Encoded again as sRGB they are the bytes; opacity is none of them.
     const linear = colours(text(Uint8Array.of(255, 0, 128, 51, 5, 60, 200, 255)));
-    const encoded = [...linear].map((value, k) => 255 * (k % 4 === 3 ? value : value <= 0.0031308 ? 12.92 * value : 1.055 * value ** (1 / 2.4) - 0.055));
+    const encoded = [...linear].map((value, k) => 255 * encode(value, k));
     all(encoded, [255, 0, 128, 51, 5, 60, 200, 255], 'colours', 1e-3);
   },
 
@@ -107,7 +138,7 @@ const cases = {
     const force = () => ({ object: {}, update() {}, set(...values) { made.push(values); } });
     const stage = Object.create(Stage.prototype);
     Object.assign(stage, { three, shown: { forces: true }, reach: 2 });
-    const column = { skeleton: { geometry: { getAttribute: () => ({ array: [] }) } }, wings: [], loads: force(), forces: [force(), force()] };
+    const column = { sheets: [], skeleton: { geometry: { getAttribute: () => ({ array: [] }) } }, wings: [], loads: force(), forces: [force(), force()] };
     stage.pose(column, { lift: 1.25, drag: 0.5, wings: [] });
     all(made[0], [0, 0, 0, 0, 0, 1.25, 0, 0.7], 'lift goes up');
     all(made[1], [0, 0, 0, 0, 0, 0, -0.5, 0.7], 'drag goes to the rear');
@@ -135,10 +166,20 @@ function fake() {
   }
   class Quaternion { setFromUnitVectors(a, b) { return Object.assign(this, { to: b.array }); } }
   class Matrix4 { compose(from, turn, scale) { return { from: from.array, along: turn.to, scale: scale.array }; } }
-  class Geometry { translate() { return this; } }
+  class Geometry {
+    attributes = {};
+    translate() { return this; }
+    dispose() {}
+    setAttribute(name, values) { this.attributes[name] = values; }
+    getAttribute(name) { return this.attributes[name]; }
+    setIndex(values) { this.index = values; }
+    setDrawRange(...range) { this.range = range; }
+  }
+  class BufferAttribute { constructor(array) { this.array = array; } }
+  class Mesh { scale = { setScalar() {} }; }
   class Plain { add() {} }
   class Instanced { constructor() { this.instanceMatrix = {}; } }
-  return { Vector3, Quaternion, Matrix4, CylinderGeometry: Geometry, ConeGeometry: Geometry, Group: Plain, MeshBasicMaterial: Plain, InstancedMesh: Instanced };
+  return { Vector3, Quaternion, Matrix4, CylinderGeometry: Geometry, ConeGeometry: Geometry, BufferGeometry: Geometry, BufferAttribute, Group: Plain, Mesh, MeshBasicMaterial: Plain, InstancedMesh: Instanced };
 }
 
 for (const [name, run] of Object.entries(cases)) {

@@ -239,6 +239,25 @@ const cases = {
     check(inked > 300, 'the chart is empty');
     await page.click('[data-show=chart]');
   },
+  async wake() {
+    const plain = (await state()).columns[0].sheets.length;
+    check(plain === 0, 'a wake that nobody asked for');
+    await page.focus('[data-show=wake]');
+    await page.keyboard.press('Enter');
+    await wait(() => alate.state.columns[0].sheets.length === 2 && alate.state.columns[0].sheets[0].rows > 8);
+    check((await page.getAttribute('[data-show=wake]', 'aria-pressed')) === 'true', 'the button does not show it');
+    await page.click('#pause');
+    await page.waitForTimeout(1200);
+    check((await page.textContent('#legend-title')).includes('wake'), 'no legend');
+    const shown = await painted();
+    await page.click('[data-show=wake]');
+    await wait(() => alate.state.columns[0].sheets.length === 0);
+    await page.waitForTimeout(1200);
+    const { share, red } = await painted();
+    check(shown.share > share && shown.red !== red, `covers ${shown.share} with a wake, ${share} without`);
+    check(await page.isHidden('#legend'), 'a legend without a wake');
+    await page.click('#pause');
+  },
   async species() {
     const names = await page.$$eval('#species option', (options) => options.map((option) => option.value));
     check(names.length >= 6, `${names.length} species`);

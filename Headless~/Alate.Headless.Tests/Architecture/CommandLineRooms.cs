@@ -87,9 +87,10 @@ namespace Alate.Tests.Architecture
                 },
                 ["Alate.Cli/Live"] = new Dictionary<string, string[]>
                 {
-                    ["Wakes"] = [],
-                    ["Scenes"] = ["Wakes"],
-                    ["Server"] = ["Scenes"],
+                    ["Messages"] = [],
+                    ["Wakes"] = ["Messages"],
+                    ["Scenes"] = ["Messages", "Wakes"],
+                    ["Server"] = ["Messages", "Scenes"],
                 },
                 ["Alate.Cli/Commands"] = new Dictionary<string, string[]>
                 {

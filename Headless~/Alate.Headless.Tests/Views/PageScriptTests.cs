@@ -1,6 +1,7 @@
 using System.IO;
 using System.Linq;
 using System.Text.Json;
+using Alate.Cli;
 using Alate.Tests.Cli;
 using NUnit.Framework;
 
@@ -34,7 +35,7 @@ public sealed class PageScriptTests : ViewFixture
         (int code, string output) = WebTools.Run("page.mjs", folder.Root).GetAwaiter().GetResult();
 
         Assert.That(code, Is.Zero, output);
-        Assert.That(output.Split('\n').Count(line => line.StartsWith("ok ")), Is.EqualTo(6), output);
+        Assert.That(output.Split('\n').Count(line => line.StartsWith("ok ")), Is.EqualTo(7), output);
     }
 
     private static string Told(ViewState state) => JsonSerializer.Serialize(new
@@ -48,6 +49,11 @@ public sealed class PageScriptTests : ViewFixture
         drag = state.Drag[0],
         flap = state.Flap[0],
         substeps = state.Substeps[0],
+        wakeColours = new[] { -1f, -0.25f, 0f, 0.5f, 1f }.Select(share => new
+        {
+            share,
+            colour = new[] { WakeColours.Of(share).x, WakeColours.Of(share).y, WakeColours.Of(share).z, WakeColours.Of(share).w },
+        }),
         wings = state.Wings[0].Select(wing => new
         {
             reach = wing.Reach,

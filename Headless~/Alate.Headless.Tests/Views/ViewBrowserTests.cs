@@ -36,7 +36,7 @@ namespace Alate.Tests.Views
         [Test]
         public void Page_DoesWhatItSays() => Try(
             "beats", "rate", "slow", "speed", "wind", "amplitude", "frequency", "elasticity", "delay", "substeps", "pause", "comparison",
-            "overlays", "species", "files",
+            "overlays", "wake", "species", "files",
             "badFiles", "phone", "reconnect");
 
         [Test]

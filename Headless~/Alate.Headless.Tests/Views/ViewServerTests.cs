@@ -101,6 +101,8 @@ namespace Alate.Tests.Views
         [TestCase("[1,2,3]")]
         [TestCase("{\"values\":{\"speed\":\"fast\"}}")]
         [TestCase("{\"compare\":1}")]
+        [TestCase("{\"wake\":\"on\"}")]
+        [TestCase("{\"wake\":1}")]
         [TestCase("{\"species\":null}")]
         [TestCase("{\"values\":{\"a\":{\"b\":{\"c\":{\"d\":1}}}}}")]
         public void MessagesThatAreNone_CloseTheSocket(string message) => Fly(async () =>

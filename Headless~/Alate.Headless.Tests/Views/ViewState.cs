@@ -17,6 +17,7 @@ namespace Alate.Tests.Views
             Magic = BitConverter.ToUInt32(bytes, 0);
             Columns = BitConverter.ToInt32(bytes, 4);
             Time = BitConverter.ToDouble(bytes, 8);
+            HasWake = BitConverter.ToUInt32(bytes, 20) == 1;
             for (int column = 0; column < Columns; column++)
             {
                 float phase = Number();
@@ -49,6 +50,22 @@ namespace Alate.Tests.Views
                 }
 
                 Wings.Add(wings);
+                var sheets = new List<Sheet>();
+                for (int left = HasWake ? Whole() : 0; left > 0; left--)
+                {
+                    int rows = Whole();
+                    var sheet = new Sheet { Width = Whole(), Reach = Number(), Strongest = Number() };
+                    for (int k = 0; k < rows * sheet.Width; k++, at += 8)
+                    {
+                        short Part(int part) => BitConverter.ToInt16(bytes, at + 2 * part);
+                        sheet.Places.Add(sheet.Reach / short.MaxValue * new float3(Part(0), Part(1), Part(2)));
+                        sheet.Circulation.Add(sheet.Strongest / short.MaxValue * Part(3));
+                    }
+
+                    sheets.Add(sheet);
+                }
+
+                Sheets.Add(sheets);
             }
 
             Length = at;
@@ -59,6 +76,9 @@ namespace Alate.Tests.Views
         public int Columns { get; }
 
         public double Time { get; }
+
+        /// <summary>True where it says that it has wakes.</summary>
+        public bool HasWake { get; }
 
         /// <summary>Bytes that were read.</summary>
         public int Length { get; }
@@ -76,6 +96,25 @@ namespace Alate.Tests.Views
         public List<int> Substeps { get; } = new List<int>();
 
         public List<List<Wing>> Wings { get; } = new List<List<Wing>>();
+
+        /// <summary>[column] Rings behind each wing; empty before the first are done.</summary>
+        public List<List<Sheet>> Sheets { get; } = new List<List<Sheet>>();
+
+        internal sealed class Sheet
+        {
+            /// <summary>Points of a row.</summary>
+            public int Width { get; set; }
+
+            public float Reach { get; set; }
+
+            public float Strongest { get; set; }
+
+            /// <summary>[row · width + point] Metres.</summary>
+            public List<float3> Places { get; } = new List<float3>();
+
+            /// <summary>[row · width + point] m²/s.</summary>
+            public List<float> Circulation { get; } = new List<float>();
+        }
 
         internal sealed class Wing
         {

@@ -128,12 +128,11 @@ internal sealed class SceneInsect : IDisposable
     {
         Insect insect = InsectOf(settings, own);
         var flights = new List<LiveFlight>();
-        string remark;
         try
         {
             foreach (ComparisonColumn column in settings.Columns)
                 flights.Add(new LiveFlight(settings.Plan(column), insect));
-            remark = TryShowWake(flights, ref settings, own?.Remark ?? "");
+            ShowWake(flights, settings.HasWake);
         }
         catch
         {
@@ -143,22 +142,7 @@ internal sealed class SceneInsect : IDisposable
 
         m_Flights.ForEach(flight => flight.Dispose());
         (m_Flights, m_Own, Settings) = (flights, own, settings);
-        return SceneMessage.Scene(insect, flights[0].Wings, flights.Select(flight => flight.Column), settings, remark);
-    }
-
-    // A wing of the viewer's own that sheds none flies without.
-    private static string TryShowWake(List<LiveFlight> flights, ref ViewSettings settings, string remark)
-    {
-        try
-        {
-            ShowWake(flights, settings.HasWake);
-            return remark;
-        }
-        catch (UserException problem)
-        {
-            settings = settings with { HasWake = false };
-            return $"{remark} {problem.Message}".Trim();
-        }
+        return SceneMessage.Scene(insect, flights[0].Wings, flights.Select(flight => flight.Column), settings, own?.Remark ?? "");
     }
 
     // All flights have one, or none has.

@@ -2,39 +2,93 @@ using Alate.Wake;
 
 namespace Alate.Cli;
 
-/// <summary>Motion of a wing as it is flown: its edges at the last moment, and how they moved through the last three.</summary>
+/// <summary>
+/// Motion of a wing as it is flown: its edges at the last moment, and how they move. Once a beat is known, both are those of a Fourier
+/// series through it, as a wake behind a recorded beat has them; poses between two substeps lie on straight lines, whose kinks the series
+/// takes out. Before, velocities are differences.
+/// </summary>
 internal sealed class FlownWing : IWingMotion
 {
-    private readonly int m_Beat;
-    private readonly float3[] m_Velocities;
-    private float3[] m_Now, m_Before, m_LongBefore;
+    /// <summary>Moments that a velocity by differences needs.</summary>
+    public const int FirstMoments = 3;
+
+    private readonly float3[][] m_History;
+    private readonly float[] m_Shares, m_Rates;
+    private readonly float3[] m_Points, m_Velocities;
+    private long m_Count;
 
     /// <param name="beat">Moments of a beat.</param>
     /// <param name="places">Places of a moment.</param>
     public FlownWing(int beat, int places)
     {
-        m_Beat = beat;
-        (m_Now, m_Before, m_LongBefore) = (new float3[places], new float3[places], new float3[places]);
-        m_Velocities = new float3[places];
+        m_History = [.. Enumerable.Range(0, beat).Select(_ => new float3[places])];
+        (m_Points, m_Velocities) = (new float3[places], new float3[places]);
+        (m_Shares, m_Rates) = (new float[beat], new float[beat]);
+        for (int ago = 0; ago < beat; ago++)
+        {
+            m_Shares[ago] = 1f / beat;
+            for (int harmonic = 1; harmonic <= Math.Min(FourierMotion.MostHarmonics, (beat - 1) / 2); harmonic++)
+            {
+                (double sin, double cos) = Math.SinCos(2.0 * Math.PI * harmonic * ago / beat);
+                m_Shares[ago] += (float)(2.0 * cos / beat);
+                m_Rates[ago] -= (float)(4.0 * Math.PI * harmonic * sin / beat);
+            }
+        }
     }
+
+    /// <summary>True where the moments so far give a velocity.</summary>
+    public bool IsKnown => m_Count >= FirstMoments;
+
+    /// <summary>Forgets all moments.</summary>
+    public void Restart() => m_Count = 0;
 
     /// <summary>Takes the next moment.</summary>
     /// <param name="places">Axes of the body.</param>
     /// <param name="scale">Reference lengths of their unit.</param>
     public void Move(ReadOnlySpan<float3> places, float scale)
     {
-        (m_Now, m_Before, m_LongBefore) = (m_LongBefore, m_Now, m_Before);
-        for (int k = 0; k < m_Now.Length; k++)
-        {
-            m_Now[k] = scale * places[k];
-            m_Velocities[k] = 0.5f * m_Beat * (3f * m_Now[k] - 4f * m_Before[k] + m_LongBefore[k]);
-        }
+        float3[] now = Ago(0);
+        for (int k = 0; k < now.Length; k++)
+            now[k] = scale * places[k];
+        if (m_Count + 1 < m_History.Length)
+            Differ(now);
+        else
+            Blend();
+        m_Count++;
     }
 
     /// <summary>Writes the last moment, whatever the time: the places are those of a lattice of strips.</summary>
     public void Evaluate(double beats, ReadOnlySpan<float2> places, Span<float3> points, Span<float3> velocities)
     {
-        m_Now.AsSpan(0, places.Length).CopyTo(points);
+        m_Points.AsSpan(0, places.Length).CopyTo(points);
         m_Velocities.AsSpan(0, places.Length).CopyTo(velocities);
+    }
+
+    // Of the moment that comes now, or some before it.
+    private float3[] Ago(int moments) => m_History[(m_Count + m_History.Length - moments) % m_History.Length];
+
+    private void Differ(float3[] now)
+    {
+        float3[] before = Ago(1), longBefore = Ago(2);
+        for (int k = 0; k < now.Length; k++)
+        {
+            m_Points[k] = now[k];
+            m_Velocities[k] = 0.5f * m_History.Length * (3f * now[k] - 4f * before[k] + longBefore[k]);
+        }
+    }
+
+    private void Blend()
+    {
+        Array.Clear(m_Points);
+        Array.Clear(m_Velocities);
+        for (int ago = 0; ago < m_History.Length; ago++)
+        {
+            float3[] places = Ago(ago);
+            for (int k = 0; k < places.Length; k++)
+            {
+                m_Points[k] += m_Shares[ago] * places[k];
+                m_Velocities[k] += m_Rates[ago] * places[k];
+            }
+        }
     }
 }

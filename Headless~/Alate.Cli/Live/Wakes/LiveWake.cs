@@ -3,8 +3,8 @@ using System.Diagnostics;
 namespace Alate.Cli;
 
 /// <summary>
-/// Wake of wings on the spot while they fly. The flight hands over where the edges of its wings are at each 24th of a beat, a worker steps a
-/// free wake, and the flight writes the newest sheets that are done, as far as the air has carried them since. Where the worker falls
+/// Wake of wings on the spot while they fly. The flight hands over where the edges of its wings are at each 24th of a beat, a worker steps
+/// a free wake, and the flight writes the newest sheets that are done, as far as the air has carried them since. Where the worker falls
 /// behind, it leaves out whole beats, and sheets of an earlier beat are written: those of the same phase, for the beat repeats.
 /// </summary>
 internal sealed class LiveWake : IDisposable

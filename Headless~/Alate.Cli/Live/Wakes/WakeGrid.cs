@@ -28,7 +28,7 @@ internal sealed class WakeGrid
         }
         catch (ArgumentException problem)
         {
-            throw new UserException($"This wing sheds no wake: {new StringReader(problem.Message).ReadLine()}");
+            throw new UserException($"This wing sheds no wake. {problem.Message.Split(" (Parameter ")[0]}");
         }
     }
 

@@ -8,16 +8,12 @@ internal sealed class WakeStepper : IDisposable
     /// <summary>Age at which a row is dropped, beats, and radius of an old core, chords, with which the wake rolls up into tubes.</summary>
     private const float k_Keep = 1.5f, k_FarCore = 0.8f;
 
-    /// <summary>Moments that a velocity needs.</summary>
-    private const int k_Moments = 3;
-
     private readonly int m_Beat, m_Panels;
     private readonly bool m_IsSymmetric;
     private readonly double m_Density;
     private readonly CoefficientSet[] m_Coefficients;
     private readonly FlownWing[] m_Motions;
     private FreeWake m_Wake;
-    private int m_Known;
     private bool m_Fails;
 
     /// <param name="wings">Wings that are computed.</param>
@@ -47,7 +43,9 @@ internal sealed class WakeStepper : IDisposable
     public void Restart()
     {
         m_Wake?.Dispose();
-        (m_Wake, m_Known, m_Fails) = (null, 0, false);
+        (m_Wake, m_Fails) = (null, false);
+        foreach (FlownWing motion in m_Motions)
+            motion.Restart();
     }
 
     /// <summary>Takes the next moment, and does its step.</summary>
@@ -59,8 +57,7 @@ internal sealed class WakeStepper : IDisposable
         int stride = places.Length / m_Motions.Length;
         for (int wing = 0; wing < m_Motions.Length; wing++)
             m_Motions[wing].Move(places.Slice(wing * stride, stride), 1f / Length);
-        m_Known++;
-        if (m_Known < k_Moments || m_Fails)
+        if (!m_Motions[0].IsKnown || m_Fails)
             return false;
         try
         {
