@@ -94,7 +94,7 @@ public sealed class FlownWakeTests
         };
 
         Assert.That(() => new WakeGrid(Wing(0, 2, 1, 3, 5, 4), 10), Throws.TypeOf<UserException>().With.Message.EqualTo(
-            "This wing sheds no wake. The wing has no chord at 0.5 of its span."));
+            "This wing sheds no wake. The wing has no chord at 0.401 of its span."));
         var grid = new WakeGrid(Wing(0, 2, 1, 1, 2, 3, 3, 5, 4), 10);
         Assert.That((grid.Stations, grid.Count), Is.EqualTo((11, 22)));
         Assert.That(math.distance(grid.TrailingEdge(5, rest), new float3(-0.125f, 0f, 0f)), Is.LessThan(1e-4f), "metres, on the left");
