@@ -1,9 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
-using Alate.Catalogue;
 using Alate.Cli;
-using Alate.Wake;
 using NUnit.Framework;
 using Unity.Mathematics;
 
@@ -90,7 +88,9 @@ public sealed class FlownWakeTests
         float3[] rest = [new(0f, 0f, 0f), new(0.4f, 0f, 0f), new(0.4f, 0f, 0.2f), new(0.6f, 0f, 0f), new(1f, 0f, 0f), new(1f, 0f, 0.2f)];
         RecordedWing Wing(params int[] triangles) => new RecordedWing
         {
-            Placement = new WingMount(new float3(0.1f, 0f, 0f), 0.05f, WingSide.Left), Rest = rest, Triangles = triangles,
+            Placement = new WingMount(new float3(0.1f, 0f, 0f), 0.05f, WingSide.Left),
+            Rest = rest,
+            Triangles = triangles,
         };
 
         Assert.That(() => new WakeGrid(Wing(0, 2, 1, 3, 5, 4), 10), Throws.TypeOf<UserException>().With.Message.EqualTo(

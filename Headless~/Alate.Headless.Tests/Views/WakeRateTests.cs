@@ -1,7 +1,6 @@
 using System;
 using System.Diagnostics;
 using System.Threading.Tasks;
-using Alate.Catalogue;
 using Alate.Cli;
 using NUnit.Framework;
 
