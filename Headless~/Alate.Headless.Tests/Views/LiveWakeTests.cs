@@ -96,7 +96,7 @@ public sealed class LiveWakeTests
     [Test]
     public void APage_AsksForAWake_AndIsTold()
     {
-        using var scene = new SceneInsect(ViewSettings.Of(InsectCatalogue.Find("fishfly"), InsectVariant.Standard));
+        using var scene = new SceneInsect(ViewSettings.Of(InsectCatalogue.Find("firefly"), InsectVariant.Standard));
         var state = new StateBuffer();
         scene.Advance(state);
         Assert.That((BitConverter.ToUInt32(state.Content.Span[20..]), (bool)SceneMessage.Settings(scene.Settings)["wake"]),

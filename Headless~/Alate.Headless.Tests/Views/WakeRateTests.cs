@@ -25,11 +25,17 @@ public sealed class WakeRateTests : ViewFixture
             await page.Read("scene");
             if (isFast)
                 await page.Say("{\"values\":{\"slow\":1}}");
-            without = await Rate(page);
-            await page.Say("{\"wake\":true}");
-            await Rate(page);
-            with = await Rate(page);
-            sheets = (await page.ReadState()).Sheets[0].Count;
+            // By turns, and the best of each: other programs slow both.
+            for (int turn = 0; turn < 2; turn++)
+            {
+                await page.Say("{\"wake\":false}");
+                await Rate(page, 30);
+                without = Math.Max(without, await Rate(page));
+                await page.Say("{\"wake\":true}");
+                await Rate(page, 60);
+                with = Math.Max(with, await Rate(page));
+                sheets = (await page.ReadState()).Sheets[0].Count;
+            }
         });
         TestContext.Out.WriteLine($"{species}, fast {isFast}, four columns {isCompared}: {without:0.0} and {with:0.0} states/s, "
             + $"{sheets} sheets");
@@ -50,13 +56,12 @@ public sealed class WakeRateTests : ViewFixture
         Assert.That(count, Is.InRange(70, 74));
     }
 
-    private static async Task<double> Rate(ViewClient page)
+    private static async Task<double> Rate(ViewClient page, int states = 90)
     {
-        const int k_States = 120;
         await page.ReadState();
         long start = Stopwatch.GetTimestamp();
-        for (int k = 0; k < k_States; k++)
+        for (int k = 0; k < states; k++)
             await page.ReadBinary();
-        return k_States / Stopwatch.GetElapsedTime(start).TotalSeconds;
+        return states / Stopwatch.GetElapsedTime(start).TotalSeconds;
     }
 }
