@@ -43,7 +43,8 @@ namespace Alate.Editor
             even = null;
             if (m_Frames.Count == 0)
                 return false;
-            var folded = m_Frames.ConvertAll(frame => (phase: frame.beat - math.floor(frame.beat), frame.joints));
+            List<(double phase, float3[] joints)> folded =
+                m_Frames.ConvertAll(frame => (frame.beat - math.floor(frame.beat), frame.joints));
             folded.Sort((a, b) => a.phase.CompareTo(b.phase));
             for (int k = 0; k < folded.Count; k++)
             {

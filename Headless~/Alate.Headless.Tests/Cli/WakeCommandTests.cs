@@ -125,7 +125,7 @@ namespace Alate.Tests.Cli
         [Test]
         public void WithItsTrim_AnInsectCarriesItsWeight_WithoutTheWake()
         {
-            var plan = TrimmedFlight.Of(new FlightPlan { Species = "firefly", Speed = 1.0, Climb = 0.1, RecordsAir = true });
+            FlightPlan plan = TrimmedFlight.Of(new FlightPlan { Species = "firefly", Speed = 1.0, Climb = 0.1, RecordsAir = true });
             Assert.That((plan.Variant, plan.Speed, plan.Climb), Is.EqualTo((InsectVariant.Flight, 1.0, 0.1)));
             FlightRecord flown = TetheredFlight.Fly(plan);
             double weight = flown.Wings[0].Wing.Preset.Size.insectMass * EarthGravity.Precise;
