@@ -78,12 +78,22 @@ namespace Alate.Editor
             string line = string.Format(
                 CultureInfo.InvariantCulture, "{0}, {1:0.00} m/s, aid {2:0.00} mW", flight.State, flight.BodyVelocity.magnitude,
                 1000f * flight.AidPower);
+            line += Tumbles(flight);
             if (!flight.TryReadTrim(out WingDrive drive, out Vector3 wanted))
                 return line;
             return line + string.Format(
                 CultureInfo.InvariantCulture, "\nWanted {0:0.00} m/s. Trim: {1:0.0} Hz, amplitude {2:0.00}, tilt {3:0}°, sweep {4:0}°",
                 wanted.magnitude, drive.frequency,
                 drive.amplitude, Mathf.Rad2Deg * drive.tilt, Mathf.Rad2Deg * drive.meanSweep);
+        }
+
+        private static string Tumbles(InsectFlight flight)
+        {
+            FlightTumble last = flight.Tumble;
+            string times = flight.TumbleCount == 1 ? "once" : $"{flight.TumbleCount} times";
+            return flight.TumbleCount == 0 ? "" : string.Format(
+                CultureInfo.InvariantCulture, "\nTumbled {0}, the last time at {1:0.0} s for {2:0.00} s and {3:0.00} m", times, last.time,
+                last.seconds, last.distance);
         }
     }
 }

@@ -24,6 +24,7 @@ namespace Alate.Flight
         private TrimTable m_Table;
         private FlightReference m_Reference;
         private Perching m_Perching;
+        private TumbleWatch m_Tumbles;
         private double m_Time;
         private float m_Units;
         private Vector3 m_ShownPosition;
@@ -69,6 +70,8 @@ namespace Alate.Flight
                 m_Carried.Move(m_ShownPosition, m_ShownRotation, dt);
             }
 
+            if (m_Tumbles.Step(State == FlightState.Tumbling, (float3)BodyVelocity * dt, m_Time, dt))
+                Raise(m_Tumbles.IsTumbling ? TumbleBegan : TumbleEnded);
             if (State == FlightState.Perched && before != FlightState.Perched)
                 Raise(Landed);
             else if (State != FlightState.Perched && before == FlightState.Perched)

@@ -114,6 +114,18 @@ namespace Alate.Flight
         /// <summary>Force of air and aid, mean over the last step, in weights of the insect along the world's axes.</summary>
         internal Vector3 Force { get; private set; }
 
+        /// <summary>Tumble that lasts, or the last one since the flight began; all 0 where there was none.</summary>
+        public FlightTumble Tumble => m_Tumbles.Last;
+
+        /// <summary>Number of tumbles since the flight began, with the one that lasts.</summary>
+        public int TumbleCount => m_Tumbles.Count;
+
+        /// <summary>Raised when the insect begins to tumble.</summary>
+        public event Action<InsectFlight> TumbleBegan;
+
+        /// <summary>Raised when the insect tumbles no more; <see cref="Tumble"/> says how long and how far it did.</summary>
+        public event Action<InsectFlight> TumbleEnded;
+
         /// <summary>Raised when the insect has landed.</summary>
         public event Action<InsectFlight> Landed;
 

@@ -31,7 +31,7 @@ namespace Alate.Tests.Cli
         [Test]
         public void Folder_HoldsPathForcesPictureAndScene() => Assert.That(
             Directory.GetFileSystemEntries(m_Run.Out).Select(Path.GetFileName),
-            Is.EquivalentTo(new[] { "trajectory.csv", "forces.csv", "path.png", "flight.glb" }));
+            Is.EquivalentTo(new[] { "trajectory.csv", "forces.csv", "path.png", "flight.glb", "summary.json" }));
 
         [Test]
         public void Trajectory_HasARowAStep_WithAllColumnsFilled()
@@ -97,6 +97,38 @@ namespace Alate.Tests.Cli
             Assert.That(m_Run.Output.Split('\n'), Is.SupersetOf(new[] { "trajectory.csv", "forces.csv", "path.png", "flight.glb" }
                 .Select(file => "  " + Path.Combine(m_Run.Out, file))));
         }
+
+        [Test]
+        public void TheSummary_HasTheFlightInNumbers()
+        {
+            JsonElement summary = JsonDocument.Parse(File.ReadAllText(Path.Combine(m_Run.Out, "summary.json"))).RootElement;
+            string[][] way = Table("trajectory.csv");
+
+            Assert.That(summary.GetProperty("species").GetString(), Is.EqualTo("monarch"));
+            Assert.That(summary.GetProperty("seconds").GetDouble(), Is.EqualTo(4.0).Within(1e-4));
+            Assert.That(summary.GetProperty("end_m").EnumerateArray().Select(at => at.GetDouble()),
+                Is.EqualTo(new[] { Column(way, "x_m").Last(), Column(way, "y_m").Last(), Column(way, "z_m").Last() }).Within(1e-5));
+            Assert.That(summary.GetProperty("power_w").GetDouble(),
+                Is.EqualTo(Column(Table("forces.csv"), "power_w").Average()).Within(1e-5));
+            // A monarch that is to climb at once in a gust tumbles; each of its rows is in a tumble.
+            int state = Array.IndexOf(way[0], "state");
+            double[] times = Column(way, "time_s");
+            JsonElement[] tumbles = [.. summary.GetProperty("tumbles").EnumerateArray()];
+            int rows = way.Skip(1).Count(row => row[state].Equals("tumbling", StringComparison.OrdinalIgnoreCase));
+            Assert.That(rows, Is.GreaterThan(0));
+            Assert.That(tumbles.Sum(tumble => tumble.GetProperty("seconds").GetDouble()),
+                Is.EqualTo(rows * times[0]).Within(times[0] + 1e-3), "steps");
+            Assert.That(m_Run.Output, Does.Contain($"\nit tumbled {(tumbles.Length == 1 ? "once" : $"{tumbles.Length} times")}, "));
+        }
+
+        [Test]
+        public void ATumble_IsToldInWords() => Assert.That(
+            FreeReport.Tumbles(
+            [
+                new FlightTumble { time = 1.5, seconds = 0.2f, distance = 0.1f },
+                new FlightTumble { time = 3, seconds = 0.5f, distance = 0.7f },
+            ]),
+            Is.EqualTo("it tumbled 2 times, 0.70 s in all; the longest time at 3.00 s, for 0.50 s and 0.70 m"));
 
         // The reader of the tests is as strict as a validator about chunks, views, accessors and alignment.
         [Test]

@@ -14,6 +14,29 @@ internal sealed record FreeRecord(
     /// <summary>All that is needed to fly it again.</summary>
     public FlightRecording Recording { get; init; }
 
+    /// <summary>Velocity off that which the insect followed, root mean square, m/s; bob and all.</summary>
+    public double VelocityError => System.Math.Sqrt(Moments.Average(at => math.lengthsq(at.Velocity - at.Wanted)));
+
+    /// <summary>Tumbles in order.</summary>
+    public IReadOnlyList<FlightTumble> Tumbles
+    {
+        get
+        {
+            var tumbles = new List<FlightTumble>();
+            var watch = new TumbleWatch();
+            for (int k = 0; k < Moments.Count; k++)
+            {
+                FreeMoment at = Moments[k];
+                double from = k > 0 ? Moments[k - 1].Time : 0;
+                float3 moved = k > 0 ? at.Position - Moments[k - 1].Position : at.Position;
+                if (watch.Step(at.State == FlightState.Tumbling, moved, at.Time, (float)(at.Time - from)) && !watch.IsTumbling)
+                    tumbles.Add(watch.Last);
+            }
+
+            return watch.IsTumbling ? [.. tumbles, watch.Last] : tumbles;
+        }
+    }
+
     /// <summary>Middle of the thorax, metres.</summary>
     public float3 Thorax(in FreeMoment at) => at.Position - math.rotate(at.Rotation, Centre);
 

@@ -5,7 +5,8 @@ namespace Alate.Cli;
 /// <summary>Flies a plan freely, shows how it gets on, and writes what came of it: all of the files or none.</summary>
 internal static class FreeReport
 {
-    private const string k_Trajectory = "trajectory.csv", k_Forces = "forces.csv", k_Path = "path.png", k_Glb = "flight.glb";
+    private const string k_Trajectory = "trajectory.csv", k_Forces = "forces.csv", k_Path = "path.png", k_Glb = "flight.glb",
+        k_Summary = "summary.json";
 
     /// <summary>Factor from which on it is told that the picture shows the insect larger than its way.</summary>
     private const float k_Larger = 1.5f;
@@ -14,7 +15,7 @@ internal static class FreeReport
     public static void Run(FreePlan plan, TextWriter output)
     {
         string path = plan.Folder ?? Path.Combine("out", plan.Insect.Name + "-free");
-        string[] pictures = plan.IsDrawn ? [k_Path] : [], files = [k_Trajectory, k_Forces, .. pictures, k_Glb];
+        string[] pictures = plan.IsDrawn ? [k_Path] : [], files = [k_Trajectory, k_Forces, .. pictures, k_Glb, k_Summary];
         using var folder = OutputFolder.Prepare(path, files);
         if (plan.RecordFile != null)
             OutputFile.Check(plan.RecordFile);
@@ -34,12 +35,14 @@ internal static class FreeReport
             folder.Write(k_Trajectory, stream => CsvTable.Write(stream, TrajectoryTable.Of(record)));
             folder.Write(k_Forces, stream => CsvTable.Write(stream, ForceTable.Of(record)));
             folder.Write(k_Glb, stream => WingsGlb.Write(record.Beat, stream, record));
+            folder.Write(k_Summary, stream => FreeSummaryJson.Write(record, stream));
         });
         if (plan.RecordFile != null)
             OutputFile.Write(plan.RecordFile, stream => stream.Write(Encoding.UTF8.GetBytes(RecordingText.Write(record.Recording))));
         folder.Commit();
         output.WriteLine(Way(record));
         output.WriteLine(Air(record));
+        output.WriteLine(Tumbles(record.Tumbles));
         if (factor >= k_Larger)
             output.WriteLine(System.FormattableString.Invariant($"path.png shows the insect {factor:0.#} times larger than its way."));
         if (plan.Replay is { } replay)
@@ -52,7 +55,7 @@ internal static class FreeReport
     internal static string Way(FreeRecord record)
     {
         FreeMoment last = record.Moments[^1];
-        double error = System.Math.Sqrt(record.Moments.Average(at => math.lengthsq(at.Velocity - at.Wanted)));
+        double error = record.VelocityError;
         return string.Create(
             CultureInfo.InvariantCulture,
             $"{record.Insect.DisplayName}: {last.Time:0.##} s by its own wings, from the origin to "
@@ -66,6 +69,18 @@ internal static class FreeReport
         + $"{100 * record.UpstrokeShare:0} % of it on the upstroke; "
         + $"power {1e3 * record.Moments.Average(at => at.Power):0.###} mW; "
         + $"aid {1e3 * record.Moments.Average(at => at.AidPower):0.###} mW");
+
+    internal static string Tumbles(IReadOnlyList<FlightTumble> tumbles)
+    {
+        if (tumbles.Count == 0)
+            return "it did not tumble";
+        FlightTumble longest = tumbles.MaxBy(tumble => tumble.seconds);
+        return string.Create(
+            CultureInfo.InvariantCulture,
+            $"it tumbled {(tumbles.Count == 1 ? "once" : $"{tumbles.Count} times")}, "
+            + $"{tumbles.Sum(tumble => tumble.seconds):0.00} s in all; the longest time at {longest.time:0.00} s, "
+            + $"for {longest.seconds:0.00} s and {longest.distance:0.00} m");
+    }
 
     private static string Replayed(FlightRecording recording) => recording.Package == PackageRoot.Version
         ? "Flown again from its recording: the same to the bit on the same kind of processor."

@@ -143,6 +143,29 @@ namespace Alate.Tests.Play
             Assert.That(Headings.Wrap(pilot.told[pilot.told.Count - 1].heading - 1f), Is.Zero.Within(1e-3f));
         }
 
+        // Turned over in flight it says that it tumbles, and, helped up again, how long and how far it did.
+        [UnityTest]
+        public IEnumerator AnInsectThatIsTurnedOver_SaysWhenHowLongAndHowFarItTumbled()
+        {
+            InsectFlight flight = Hatch();
+            var told = new List<(string, int)>();
+            int frame = 0;
+            flight.TumbleBegan += _ => told.Add(("began", frame));
+            flight.TumbleBegan += tumbling => tumbling.Aid = 1f;
+            flight.TumbleEnded += _ => told.Add(("ended", frame));
+            yield return Frames(30);
+            Assert.That((flight.TumbleCount, flight.Tumble.seconds), Is.EqualTo((0, 0f)));
+            WingWorld world = WingSystem.Loop.World;
+            world.Complete();
+            ref FlyingBody body = ref world.Body(new BodyHandle(0, 1));
+            body.rotation = math.mul(body.rotation, quaternion.AxisAngle(new float3(1f, 0f, 0f), 2.5f));
+            for (; frame < 200 && told.Count < 2; frame++)
+                yield return null;
+            Assert.That((told[0].Item1, told[1].Item1, flight.TumbleCount), Is.EqualTo(("began", "ended", 1)));
+            Assert.That(flight.Tumble.seconds, Is.EqualTo((told[1].Item2 - told[0].Item2) * Time.fixedDeltaTime).Within(1e-3f));
+            Assert.That(flight.Tumble.distance, Is.InRange(0.001f, 2f));
+        }
+
         // Four frames a step: the insect is drawn on an even way.
         [UnityTest]
         public IEnumerator BetweenSteps_ItIsDrawnOnItsWay()
