@@ -188,7 +188,9 @@ internal sealed class WakeFlight : IDisposable
 
     private WakeStrip[] Strips(int wing, double force, double speed)
     {
-        double width = Wings[wing].Wing.Preset.WingLength / m_Wake.SectionCount, side = Wings[wing].Placement.IsLeft ? 1 : -1;
+        // Lattices of panels end short of the tip: their strips are narrower than the wing's length over their number.
+        double share = m_Wake.SectionCount > 1 ? m_Wake.Section(wing, 1).Span - m_Wake.Section(wing, 0).Span : 1.0;
+        double width = share * Wings[wing].Wing.Preset.WingLength, side = Wings[wing].Placement.IsLeft ? 1 : -1;
         return [.. Enumerable.Range(0, m_Wake.SectionCount).Select(strip => m_Wake.Section(wing, strip)).Select(at => new WakeStrip(
             at.Span, side * speed * Length * at.Circulation, (float)(force / width) * at.Force, (float)speed * at.Inflow))];
     }

@@ -1,8 +1,10 @@
 using System;
 using System.Collections.Generic;
+using System.Globalization;
 using System.IO;
 using System.Linq;
 using System.Text.Json;
+using System.Text.RegularExpressions;
 using Alate.Cli;
 using Alate.Drawing;
 using NUnit.Framework;
@@ -16,6 +18,8 @@ namespace Alate.Tests.Cli;
 public sealed class WakeShapeLaws
 {
     private const int k_Steps = 12;
+    private static readonly Regex s_Cell = new(
+        @"<rect x=""([\d.]+)"" y=""([\d.]+)"" width=""[\d.]+"" height=""[\d.]+"" fill=""#(\w\w)\w\w(\w\w)"" fill-opacity=""1""");
 
     private WakeFlight m_Wake, m_Windy;
 
@@ -35,6 +39,29 @@ public sealed class WakeShapeLaws
     {
         m_Wake.Dispose();
         m_Windy.Dispose();
+    }
+
+    // The strongest circulation, above 0, at the tip and the begin of the beat; the strongest one below 0 at the root and its end.
+    [Test]
+    public void TheMapOfTheSpan_HasTheTipAbove_TheBeatFromTheLeft_AndLiftRed()
+    {
+        WakeStrip[] Strips(float tip, float root) =>
+            [new(0.25, root, default, new float3(0f, root, 0f)), new(0.75, tip, default, new float3(0f, tip, 0f))];
+        WakeMoment At(double turns, float tip, float root) => new(
+            turns, [.. m_Wake.Wings.Select(_ => new WakeLoad(default, default, 0.0, default, Strips(tip, root)))], true);
+        string page = SpanPicture.Draw(m_Wake, [At(0.0, 1f, 0f), At(0.5, 0f, -1f)]);
+        (double X, double Y, bool IsRed)[] cells = [.. s_Cell.Matches(page).Select(cell => (
+            double.Parse(cell.Groups[1].Value, CultureInfo.InvariantCulture),
+            double.Parse(cell.Groups[2].Value, CultureInfo.InvariantCulture),
+            Convert.ToInt32(cell.Groups[3].Value, 16) > Convert.ToInt32(cell.Groups[4].Value, 16)))];
+
+        Assert.That(cells, Has.Length.EqualTo(4 * m_Wake.Wings.Count), "circulation and air of each wing, each with its two extremes");
+        for (int k = 0; k < cells.Length; k += 2)
+        {
+            Assert.That((cells[k].IsRed, cells[k + 1].IsRed), Is.EqualTo((true, false)));
+            Assert.That(cells[k].X, Is.LessThan(cells[k + 1].X));
+            Assert.That(cells[k].Y, Is.LessThan(cells[k + 1].Y));
+        }
     }
 
     // Where the wing's trailing edge is at that moment, a quarter of its way behind it; metres of the body.

@@ -186,7 +186,7 @@ public sealed class LiveWakeTests
 
     internal static ViewState Read(LiveFlight flight) => new ViewState(Told(flight));
 
-    private static byte[] Told(LiveFlight flight)
+    internal static byte[] Told(LiveFlight flight)
     {
         var buffer = new StateBuffer();
         buffer.Add(0x54414C41u);

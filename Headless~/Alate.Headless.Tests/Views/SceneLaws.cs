@@ -178,16 +178,16 @@ public sealed class SceneLaws
             SkeletonFile = run.Write("wing.json", OwnWing.Skeleton()),
         };
         using var flight = new LiveFlight(plan, Insect.Of(plan));
-        var before = new ViewState(Told(flight));
+        var before = new ViewState(LiveWakeTests.Told(flight));
         Assert.That(before.Beats[0], Is.InRange(0.0, 1.0), "not before the start");
         for (int k = 0; k < 30; k++)
         {
             flight.Advance(1e-9 * (k + 1));
-            Assert.That(new ViewState(Told(flight)).Beats[0], Is.InRange(0.0, 0.01), "nor by rounding");
+            Assert.That(new ViewState(LiveWakeTests.Told(flight)).Beats[0], Is.InRange(0.0, 0.01), "nor by rounding");
         }
 
         flight.Advance(0.1);
-        var state = new ViewState(Told(flight));
+        var state = new ViewState(LiveWakeTests.Told(flight));
         ViewState.Wing wing = state.Wings[0][0];
 
         Assert.That(wing.Places.Skip(count).Take(3).Select(place => math.cmax(math.abs(place))),
@@ -205,7 +205,7 @@ public sealed class SceneLaws
         for (int k = 0; k < 20; k++)
         {
             flight.Advance(0.1 / flight.Frequency);
-            var state = new ViewState(Told(flight));
+            var state = new ViewState(LiveWakeTests.Told(flight));
             for (int wing = 0; wing < state.Wings[0].Count; wing++)
             {
                 // From the places that are told: metres, in steps of a few thousandths of a millimetre.
@@ -288,18 +288,6 @@ public sealed class SceneLaws
     }
 
     private static ViewRequest Request(string text) => ViewRequest.Read(Encoding.UTF8.GetBytes(text));
-
-    private static byte[] Told(LiveFlight flight)
-    {
-        var buffer = new StateBuffer();
-        buffer.Add(0x54414C41u);
-        buffer.Add(1u);
-        buffer.Add(flight.Time);
-        buffer.Add(0u);
-        buffer.Add(0u);
-        flight.Write(buffer);
-        return buffer.Content.ToArray();
-    }
 
     // The other way round, whichever corner comes first.
     private static void AssertMirrored(int[] told, int[] own)
