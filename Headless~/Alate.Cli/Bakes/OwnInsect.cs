@@ -28,7 +28,7 @@ internal static class OwnInsect
             throw new UserException($"{meshFile}: with its mirror image the wing has "
                 + $"{2 * surface.positions.Length} vertices; at most {InsectBaker.MaxVertices} can be baked: use a smaller mesh.");
         }
-        WingFrame frame = FrameOf(skeleton, surface, meshFile);
+        WingFrame frame = WingFiles.FrameOf(skeleton, surface, meshFile);
         WingDefinition kind = definition.Wings[0];
         WingPreset preset = kind.CreatePreset(ModelReading.Physical, variant);
         var mesh = surface.ToMesh(Path.GetFileNameWithoutExtension(meshFile));
@@ -65,20 +65,5 @@ internal static class OwnInsect
 
         root.SetActive(true);
         return insect;
-    }
-
-    private static WingFrame FrameOf(WingSkeleton skeleton, SurfaceMesh surface, string meshFile)
-    {
-        try
-        {
-            var rig = WingRig.Bake(skeleton, surface, WingRigSettings.Default);
-            WingFrame frame = rig.Frame;
-            rig.Release();
-            return frame;
-        }
-        catch (ArgumentException problem)
-        {
-            throw new UserException($"{meshFile}: {problem.Message}");
-        }
     }
 }

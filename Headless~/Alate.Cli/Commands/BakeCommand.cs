@@ -13,7 +13,7 @@ internal static class BakeCommand
         var species = new Argument<string>("SPECIES")
         {
             Arity = ArgumentArity.ZeroOrOne,
-            Description = $"The insect: {string.Join(", ", InsectCatalogue.Names)}. Not with --mesh.",
+            Description = $"The insect: {KnownSpecies.Names}. Not with --mesh.",
         };
         var mesh = new Option<string>("--mesh")
         {

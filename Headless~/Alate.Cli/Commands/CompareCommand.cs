@@ -14,7 +14,7 @@ internal static class CompareCommand
         var species = new Argument<string[]>("SPECIES")
         {
             Arity = ArgumentArity.OneOrMore,
-            Description = $"The insects: {string.Join(", ", InsectCatalogue.Names)}.",
+            Description = $"The insects: {KnownSpecies.Names}.",
         };
         Option<double> elasticity = Numbers.Option(FlightNumbers.Elasticity with
         {
@@ -37,11 +37,11 @@ internal static class CompareCommand
         command.SetAction(parsed =>
         {
             var flights = new List<FlightPlan>();
-            foreach (InsectDefinition definition in parsed.GetValue(species).Select(KnownSpecies.Find).Distinct())
+            foreach (InsectDefinition definition in KnownSpecies.FindEach(parsed.GetValue(species)))
             {
                 flights.Add(new FlightPlan
                 {
-                    Species = definition.Name,
+                    Definition = definition,
                     Variant = parsed.GetValue(variant) ?? InsectVariant.Standard,
                     Speed = parsed.GetValue(speed) ?? FlightPlan.CruiseOf(definition),
                     View = parsed.GetValue(view) ?? PictureView.FrontLeft,

@@ -10,7 +10,7 @@ internal static class FilmCommand
 
     public static Command Create(TextWriter output)
     {
-        var species = new Argument<string>("SPECIES") { Description = $"The insect: {string.Join(", ", InsectCatalogue.Names)}." };
+        var species = new Argument<string>("SPECIES") { Description = $"The insect: {KnownSpecies.Names}." };
         Option<InsectVariant?> variant = FlightOptions.Variant();
         Option<double?> speed = FlightOptions.Speed();
         var free = new Option<bool>("--free")

@@ -10,7 +10,7 @@ internal static class FlyCommand
         var species = new Argument<string>("SPECIES")
         {
             Arity = ArgumentArity.ZeroOrOne,
-            Description = $"The insect: {string.Join(", ", InsectCatalogue.Names)}. Not with --mesh.",
+            Description = $"The insect: {KnownSpecies.Names}. Not with --mesh.",
         };
         var options = new FlyOptions();
         var command = new Command("fly", "Flies an insect and writes pictures, a 3D file and numbers of its last beat.") { species };

@@ -12,14 +12,22 @@ internal static class GalleryCommand
     {
         Option<int?> width = Numbers.OptionalCount(
             "--width", "N", k_Narrowest, k_Widest, $"Pixels from side to side, {k_Narrowest} to {k_Widest}. [default: {k_Width}]");
+        Argument<string[]> species = FlightOptions.AnySpecies();
         var wake = new Option<bool>("--wake") { Description = "Shows the vortex rings that the wings leave, as 'wake' computes them." };
         var folder = new Option<string>("--out") { HelpName = "DIR", Description = "Where the file goes. [default: out/gallery]" };
-        var command = new Command("gallery", "Draws every species of the catalogue in flight, in one picture.") { width, wake, folder };
-        HelpExamples.Set(command, $"Example:\n  gallery --out pictures\n\nWrites into the output folder:\n  {k_File}");
+        var command = new Command("gallery", "Draws insects in flight in one picture.")
+        {
+            species, width, wake, folder,
+        };
+        HelpExamples.Set(command,
+            $"Examples:\n  gallery --out pictures\n  gallery monarch hawkmoth.insect.json\n\nWrites into the output folder:\n  {k_File}");
         command.SetAction(parsed =>
         {
+            List<InsectDefinition> insects = parsed.GetValue(species) is { Length: > 0 } names
+                ? KnownSpecies.FindAny(names, InsectVariant.Expressive)
+                : null;
             using var target = OutputFolder.Prepare(parsed.GetValue(folder) ?? Path.Combine("out", "gallery"), k_File);
-            target.Write(k_File, stream => stream.Write(Gallery.Draw(parsed.GetValue(width) ?? k_Width, parsed.GetValue(wake))));
+            target.Write(k_File, stream => stream.Write(Gallery.Draw(parsed.GetValue(width) ?? k_Width, parsed.GetValue(wake), insects)));
             target.Commit();
             output.WriteLine($"Written: {Path.Combine(target.Root, k_File)}");
             return 0;

@@ -10,21 +10,24 @@ internal static class SpeciesCommand
         var name = new Argument<string>("NAME")
         {
             Arity = ArgumentArity.ZeroOrOne,
-            Description = $"One of them, with every number and its source: {string.Join(", ", InsectCatalogue.Names)}.",
+            Description = $"One of them, with every number and its source: {KnownSpecies.Names}.",
         };
         var json = new Option<string>("--json")
         {
             HelpName = "FILE",
-            Description = "Also write the numbers and their sources as JSON to this file.",
+            Arity = ArgumentArity.ZeroOrOne,
+            Description = "Also write the numbers and their sources as JSON to this file; to NAME.insect.json, the default with NAME, the "
+                + "whole insect file.",
         };
         var command = new Command("species", "Lists the species with their numbers, variants and sources.") { name, json };
-        HelpExamples.Set(command, "Examples:\n  species\n  species firefly\n  species --json species.json");
+        HelpExamples.Set(
+            command, "Examples:\n  species\n  species firefly\n  species --json species.json\n  species monarch --json mine.insect.json");
         command.SetAction(parsed =>
         {
             string wanted = parsed.GetValue(name), file = parsed.GetValue(json);
             var sheets = (wanted == null ? InsectCatalogue.All : [KnownSpecies.Find(wanted)]).Select(SpeciesNumbers.Of).ToList();
-            if (file != null)
-                OutputFile.Write(file, stream => SpeciesJson.Write(sheets, stream));
+            if (parsed.GetResult(json) is { Implicit: false })
+                Write(file ?? (wanted == null ? null : sheets[0].Definition.Name + InsectFile.Ending), wanted, sheets);
 
             var terminal = new Terminal(output);
             if (wanted == null)
@@ -34,6 +37,18 @@ internal static class SpeciesCommand
             return 0;
         });
         return command;
+    }
+
+    private static void Write(string file, string wanted, List<SpeciesNumbers> sheets)
+    {
+        if (file == null)
+            throw new UserException("--json needs a FILE where no insect is named.");
+        if (!file.EndsWith(InsectFile.Ending, StringComparison.OrdinalIgnoreCase))
+            OutputFile.Write(file, stream => SpeciesJson.Write(sheets, stream));
+        else if (wanted == null || InsectFile.IsNamed(wanted))
+            throw new UserException($"An insect file is written of one insect of the catalogue: species NAME --json {file}.");
+        else
+            OutputFile.Write(file, stream => stream.Write(Encoding.UTF8.GetBytes(InsectFileText.Write(sheets[0].Definition))));
     }
 
     private static IEnumerable<IReadOnlyList<string>> List(List<SpeciesNumbers> sheets)

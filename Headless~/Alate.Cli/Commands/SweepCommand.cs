@@ -54,7 +54,7 @@ internal static class SweepCommand
             InsectDefinition definition = KnownSpecies.Find(parsed.GetValue(species) ?? "fishfly");
             var flight = new FlightPlan
             {
-                Species = definition.Name,
+                Definition = definition,
                 Variant = parsed.GetValue(variant) ?? InsectVariant.Standard,
                 Substeps = parsed.GetValue(substeps),
                 Speed = parsed.GetValue(speed) ?? FlightPlan.CruiseOf(definition),

@@ -6,7 +6,7 @@ namespace Alate.Cli;
 /// <summary><c>trim SPECIES</c>: finds the beats and attitudes that carry an insect, prints and draws them, or makes its table.</summary>
 internal static class TrimCommand
 {
-    private const string k_Picture = "trim.svg", k_Table = "trim.csv";
+    private const string k_Picture = "trim.svg", k_Table = "trim.csv", k_Trims = ".trims";
 
     /// <summary>Columns of the table that the terminal shows: all but the residuals.</summary>
     private const int k_Shown = 11;
@@ -19,24 +19,28 @@ internal static class TrimCommand
 
     public static Command Create(TextWriter output)
     {
-        var species = new Argument<string>("SPECIES") { Description = $"The insect: {string.Join(", ", InsectCatalogue.Names)}." };
+        var species = new Argument<string>("SPECIES") { Description = $"The insect: {KnownSpecies.Names}." };
         Option<double[]> speeds = Numbers.List("--speeds", "M/S,…", k_Most, -k_Fastest, k_Fastest,
             $"Speeds ahead, metres per second, up to {k_Most}, each -{k_Fastest} to {k_Fastest}. [default: 0,0.15,0.3,0.65,1,1.3]");
         Option<double[]> climbs = Numbers.List("--climbs", "M/S,…", k_Most, -k_Fastest, k_Fastest,
             $"Climbs, metres per second, up to {k_Most}, each -{k_Fastest} to {k_Fastest}. [default: -0.3,-0.15,0,0.3]");
-        var bake = new Option<bool>("--bake") { Description = "Makes the table of the flight and writes it into the package's sources." };
+        var bake = new Option<bool>("--bake")
+        {
+            Description = "Makes the table of the flight and writes it into the package's sources, or beside the insect file.",
+        };
         var folder = new Option<string>("--out") { HelpName = "DIR", Description = "Where the files go. [default: out/trim]" };
         var command = new Command("trim", "Finds the beat and the attitude that carry an insect at speeds and climbs.") { species, speeds,
             climbs, bake, folder };
         HelpExamples.Set(command, k_Examples);
         command.SetAction(parsed =>
         {
-            InsectDefinition insect = KnownSpecies.Find(parsed.GetValue(species), InsectVariant.Flight);
+            string named = parsed.GetValue(species);
+            InsectDefinition insect = KnownSpecies.Find(named, InsectVariant.Flight);
             List<float> ahead = List(parsed.GetValue(speeds), TrimBake.DefaultSpeeds),
                 up = List(parsed.GetValue(climbs), TrimBake.DefaultClimbs);
             using FlightModel model = CatalogueFlight.CreateModel(insect);
             if (parsed.GetValue(bake))
-                Bake(insect, model, ahead, up, output);
+                Bake(insect, InsectFile.IsNamed(named) ? named : null, model, ahead, up, output);
             else
                 Survey(insect, model, ahead, up, parsed.GetValue(folder) ?? Path.Combine("out", "trim"), output);
             return 0;
@@ -44,11 +48,21 @@ internal static class TrimCommand
         return command;
     }
 
-    private static void Bake(InsectDefinition insect, FlightModel model, List<float> speeds, List<float> climbs, TextWriter output)
+    // Into the package's sources, or beside the file of an insect.
+    private static void Bake(
+        InsectDefinition insect, string file, FlightModel model, List<float> speeds, List<float> climbs, TextWriter output)
     {
         var bake = new TrimBake(model) { Log = output.WriteLine };
         using TrimTable table = bake.Bake(speeds, climbs)
             ?? throw new UserException($"The {insect.DisplayName} does not fly: {bake.Problem}");
+        if (file != null)
+        {
+            string path = Path.Combine(Path.GetDirectoryName(file) ?? "", insect.Name + k_Trims);
+            OutputFile.Write(path, stream => stream.Write(Encoding.UTF8.GetBytes(TrimTableText.Write(table, model.Key))));
+            output.WriteLine($"{path}: give the insect file the line \"{InsectKeys.Trims}\": \"{Path.GetFileName(path)}\".");
+            return;
+        }
+
         string source = TrimSource.Write(insect, TrimTableText.Write(table, model.Key),
             Asked("--speeds", speeds, TrimBake.DefaultSpeeds) + Asked("--climbs", climbs, TrimBake.DefaultClimbs));
         OutputFile.Write(TrimSource.PathOf(insect), stream => stream.Write(Encoding.UTF8.GetBytes(source)));

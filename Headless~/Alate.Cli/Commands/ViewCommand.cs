@@ -16,7 +16,7 @@ internal static class ViewCommand
         var species = new Argument<string>("SPECIES")
         {
             Arity = ArgumentArity.ZeroOrOne,
-            Description = $"The insect that flies first: {string.Join(", ", InsectCatalogue.Names)}. [default: {k_First}]",
+            Description = $"The insect that flies first: {KnownSpecies.Names}. [default: {k_First}]",
         };
         Option<InsectVariant?> variant = FlightOptions.Variant();
         Option<int?> port = Numbers.OptionalCount(

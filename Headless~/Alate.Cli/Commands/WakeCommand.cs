@@ -12,7 +12,7 @@ internal static class WakeCommand
         var species = new Argument<string>("SPECIES")
         {
             Arity = ArgumentArity.ZeroOrOne,
-            Description = $"The insect: {string.Join(", ", InsectCatalogue.Names)}. Not with --mesh.",
+            Description = $"The insect: {KnownSpecies.Names}. Not with --mesh.",
         };
         var flight = new FlyOptions();
         var options = new WakeOptions();

@@ -38,7 +38,7 @@ internal sealed class FreeStretch
     /// <exception cref="UserException">The insect does not fly.</exception>
     public static FreeStretch Fly(FilmPlan plan)
     {
-        InsectDefinition insect = InsectCatalogue.Find(plan.Flight.Species);
+        InsectDefinition insect = plan.Flight.Definition;
         double frequency = TetheredFlight.Fly(FlightPlan.Cruise(insect, InsectVariant.Flight)).Wings[0].Frequency;
         double step = math.clamp(1.0 / (frequency * plan.Frames), 0.001, 0.05);
         var flight =

@@ -2,7 +2,7 @@ using UnityEngine;
 
 namespace Alate.Cli;
 
-/// <summary>All species of the catalogue in flight, in one picture.</summary>
+/// <summary>Insects in flight, in one picture: those of the catalogue, or others.</summary>
 internal static class Gallery
 {
     private const int k_Columns = 3;
@@ -22,30 +22,33 @@ internal static class Gallery
         new("snailfish", 0.40, -38f, 28f),
     ];
 
-    private static readonly Exhibit[] s_Exhibits = s_Chosen
-        .Concat(InsectCatalogue.Names.Except(s_Chosen.Select(one => one.Species)).Select(Other)).ToArray();
+    private static readonly InsectDefinition[] s_Catalogue = s_Chosen.Select(one => one.Species)
+        .Concat(InsectCatalogue.Names.Except(s_Chosen.Select(one => one.Species))).Select(InsectCatalogue.Find).ToArray();
 
     /// <summary>The picture as a PNG file.</summary>
     /// <param name="width">About its width, pixels.</param>
     /// <param name="hasWake">True where the vortex rings that the wings leave are shown.</param>
-    public static byte[] Draw(int width, bool hasWake = false)
+    /// <param name="insects">In their order; null for all of the catalogue.</param>
+    public static byte[] Draw(int width, bool hasWake = false, IReadOnlyList<InsectDefinition> insects = null)
     {
-        int column = width / k_Columns, row = (int)(k_HeightOverWidth * column);
-        int rows = (s_Exhibits.Length + k_Columns - 1) / k_Columns;
-        var picture = new Color32[k_Columns * column * rows * row];
+        insects ??= s_Catalogue;
+        int columns = Math.Min(k_Columns, insects.Count);
+        int column = width / columns, row = (int)(k_HeightOverWidth * column);
+        int rows = (insects.Count + columns - 1) / columns;
+        var picture = new Color32[columns * column * rows * row];
         Array.Fill(picture, Paper());
         // The last row stands in the middle.
-        int aside = (rows * k_Columns - s_Exhibits.Length) * column / 2;
-        for (int k = 0; k < s_Exhibits.Length; k++)
+        int aside = (rows * columns - insects.Count) * column / 2;
+        for (int k = 0; k < insects.Count; k++)
         {
-            Color32[] pixels = Photo(s_Exhibits[k], new int2(column, row), hasWake);
-            int left = k % k_Columns * column + (k / k_Columns == rows - 1 ? aside : 0);
+            Color32[] pixels = Photo(insects[k], new int2(column, row), hasWake);
+            int left = k % columns * column + (k / columns == rows - 1 ? aside : 0);
             for (int y = 0; y < row; y++)
-                Array.Copy(pixels, y * column, picture, (k / k_Columns * row + y) * k_Columns * column + left, column);
+                Array.Copy(pixels, y * column, picture, (k / columns * row + y) * columns * column + left, column);
         }
 
         return IndexedPng.Write(
-            k_Columns * column, rows * row, picture, s_Exhibits.Select(one => InsectCatalogue.Find(one.Species).DisplayName));
+            columns * column, rows * row, picture, insects.Select(insect => insect.DisplayName));
     }
 
     private static Color32 Paper()
@@ -56,10 +59,11 @@ internal static class Gallery
 
     private static Exhibit Other(string species) => new(species, 0.25, 38f, 30f);
 
-    private static Color32[] Photo(in Exhibit exhibit, int2 size, bool hasWake)
+    private static Color32[] Photo(InsectDefinition species, int2 size, bool hasWake)
     {
-        InsectDefinition species = InsectCatalogue.Find(exhibit.Species);
-        var plan = new FlightPlan { Species = species.Name, Variant = InsectVariant.Expressive, Speed = FlightPlan.CruiseOf(species) };
+        Exhibit exhibit = Array.Find(s_Chosen, one => one.Species == species.Name);
+        exhibit = exhibit.Species == null ? Other(species.Name) : exhibit;
+        var plan = new FlightPlan { Definition = species, Variant = InsectVariant.Expressive, Speed = FlightPlan.CruiseOf(species) };
         using var flight = new TetheredFlight(plan, Insect.Of(plan));
         FlightRecord record = flight.Run(_ => { });
         PhotoScene scene = FlightPhoto.Scene(record, new PictureView("", exhibit.Aside, exhibit.Above));

@@ -42,7 +42,7 @@ namespace Alate.Tests.Architecture
                     ["Base"] = [],
                     ["Projects"] = ["Base"],
                     ["Flights"] = ["Base"],
-                    ["Bakes"] = ["Base"],
+                    ["Bakes"] = ["Base", "Flights"],
                     ["Films"] = ["Base", "Flights", "Wake"],
                     ["Wake"] = ["Base", "Flights"],
                     ["Studies"] = ["Base", "Flights", "Wake"],
@@ -59,8 +59,9 @@ namespace Alate.Tests.Architecture
                 },
                 ["Alate.Cli/Flights"] = new Dictionary<string, string[]>
                 {
-                    ["Plans"] = [],
-                    ["Insects"] = ["Plans"],
+                    ["Files"] = [],
+                    ["Plans"] = ["Files"],
+                    ["Insects"] = ["Files", "Plans"],
                     ["Runs"] = ["Insects", "Plans"],
                     ["Measures"] = ["Insects", "Plans", "Runs"],
                     ["Free"] = ["Plans", "Runs"],

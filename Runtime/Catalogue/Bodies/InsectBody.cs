@@ -23,6 +23,17 @@ namespace Alate.Catalogue
             });
         }
 
+        /// <summary>A body of a mesh in millimetres, with normals, texture coordinates and colours.</summary>
+        internal InsectBody(Func<SurfaceMesh> millimetres)
+        {
+            m_Millimetres = new Lazy<SurfaceMesh>(millimetres);
+        }
+
+        /// <summary>The body in another size.</summary>
+        internal InsectBody Scaled(float factor) => factor == 1f
+            ? this
+            : new InsectBody(() => CreateSurface(1000f * factor));
+
         /// <summary>
         /// The body as one mesh of closed parts that reach into one another, the same on both sides, with smooth normals, vertex colours,
         /// and texture coordinates in which every part has a patch of its own and the left side shares that of the right. Alpha below 255

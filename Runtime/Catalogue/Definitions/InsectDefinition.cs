@@ -41,6 +41,9 @@ namespace Alate.Catalogue
         /// <summary>Parts of the body as the flight sees them, from the middle of the thorax.</summary>
         public IReadOnlyList<BodyEllipsoid> FlightParts { get; internal set; } = System.Array.Empty<BodyEllipsoid>();
 
+        /// <summary>Trim table of an insect that is not of the catalogue, as text; null for that of the catalogue.</summary>
+        internal string Trims { get; set; }
+
         /// <summary>Sources of the numbers.</summary>
         public IReadOnlyList<InsectSource> Sources { get; }
 

@@ -16,6 +16,7 @@ namespace Alate.Catalogue
 
         private readonly List<InsectVariant> m_Variants = new List<InsectVariant> { InsectVariant.Standard };
         private readonly List<Action<WingPreset>> m_Changes = new List<Action<WingPreset>>();
+        private readonly MeshedWing m_Shape;
 
         /// <param name="name">What the wing is called.</param>
         /// <param name="outline">The measured outline.</param>
@@ -25,23 +26,60 @@ namespace Alate.Catalogue
             Name = name;
             Outline = outline;
             Contour = outline.Smoothed();
+            Length = outline.Length;
             m_Changes.Add(author);
+        }
+
+        /// <summary>A wing of another insect: the numbers of a wing, and its shape in another size or another one.</summary>
+        /// <param name="name">What the wing is called.</param>
+        /// <param name="model">The wing whose variants and, where no other is given, whose shape it has.</param>
+        /// <param name="length">Metres from hinge to tip.</param>
+        /// <param name="shape">A shape of its own; null for the model's.</param>
+        internal WingDefinition(string name, WingDefinition model, double length, MeshedWing shape)
+        {
+            Name = name;
+            Length = length;
+            m_Variants = new List<InsectVariant>(model.m_Variants);
+            m_Changes = new List<Action<WingPreset>>(model.m_Changes);
+            Hinge = model.Hinge;
+            m_Shape = shape ?? model.m_Shape;
+            if (m_Shape != null)
+            {
+                TriangleCount = m_Shape.Surface.TriangleCount;
+                JointsPerChain = m_Shape.Chains[0].Length;
+                return;
+            }
+
+            Outline = model.Outline.At(length);
+            Contour = model.Contour.At(length);
+            TriangleCount = model.TriangleCount;
+            JointsPerChain = model.JointsPerChain;
+            LastTipSpan = model.LastTipSpan;
+            ChainPaths = model.ChainPaths;
+            Pattern = model.Pattern;
+            IsFilled = model.IsFilled;
+            Scallops = model.Scallops;
         }
 
         /// <summary>Name of the wing among the species' wings: "wing", "fore wing", "hind wing", "fin".</summary>
         public string Name { get; }
 
-        /// <summary>The measured outline, straight between its landmarks; the skeleton follows it.</summary>
+        /// <summary>Metres from the base to the tip of the shape; a preset may have wings of another length.</summary>
+        internal double Length { get; }
+
+        /// <summary>
+        /// The measured outline, straight between its landmarks; the skeleton follows it. Null for a wing that is a mesh of its own.
+        /// </summary>
         public WingOutline Outline { get; }
 
-        /// <summary>Outline with rounded corners, which the mesh fills.</summary>
+        /// <summary>Outline with rounded corners, which the mesh fills; null for a wing that is a mesh of its own.</summary>
         public WingOutline Contour { get; }
 
         /// <summary>Triangles of one wing.</summary>
         public int TriangleCount { get; internal set; }
 
         /// <summary>Chains of the skeleton.</summary>
-        public int Chains => ChainPaths?.Length ?? k_Chains;
+        public int Chains => m_Shape?.Chains.Length ?? ChainPaths?.Length ?? k_Chains;
 
         /// <summary>Joints of each chain, 5 unless the species says otherwise.</summary>
         public int JointsPerChain { get; internal set; } = 5;
@@ -65,6 +103,12 @@ namespace Alate.Catalogue
 
         /// <summary>The colouring; null leaves the mesh without vertex colours.</summary>
         public WingPattern Pattern { get; internal set; }
+
+        /// <summary>A picture for the texture coordinates of the mesh, a PNG file; null for none.</summary>
+        internal byte[] Picture { get; set; }
+
+        /// <summary>[chain] Measured stiffness and widths of veins, in place of the skeleton's; null for those.</summary>
+        internal VeinMeasures[] Veins { get; set; }
 
         /// <summary>
         /// True for meshes by <see cref="WingMesher.Fill(WingOutline, int, float)"/>, false for <see cref="WingMesher.Strips"/>.
@@ -113,7 +157,13 @@ namespace Alate.Catalogue
         /// <summary>The wing's surface at rest around its base, <see cref="TriangleCount"/> triangles.</summary>
         public SurfaceMesh CreateSurface(WingSide side, float unitsPerMetre = InsectDefinition.UnitsPerMetre)
         {
-            float scale = (float)Outline.Length * unitsPerMetre;
+            float scale = (float)Length * unitsPerMetre;
+            if (m_Shape != null)
+            {
+                SurfaceMesh own = m_Shape.CreateSurface(scale, Name);
+                return side == WingSide.Right ? own : own.Mirrored();
+            }
+
             SurfaceMesh surface = IsFilled
                 ? WingMesher.Fill(Contour, Scallops, TriangleCount, scale)
                 : WingMesher.Strips(Contour, TriangleCount, scale);
@@ -126,10 +176,13 @@ namespace Alate.Catalogue
         /// <summary>The wing's skeleton in the space of <see cref="CreateSurface"/>.</summary>
         public WingSkeleton CreateSkeleton(WingSide side, float unitsPerMetre = InsectDefinition.UnitsPerMetre)
         {
-            float scale = (float)Outline.Length * unitsPerMetre;
-            return ChainPaths == null
-                ? SkeletonGenerator.Generate(Outline, Chains, JointsPerChain, LastTipSpan, scale, side)
+            float scale = (float)Length * unitsPerMetre;
+            WingSkeleton skeleton = m_Shape != null ? m_Shape.CreateSkeleton(scale, side)
+                : ChainPaths == null ? SkeletonGenerator.Generate(Outline, Chains, JointsPerChain, LastTipSpan, scale, side)
                 : SkeletonGenerator.Generate(Contour, ChainPaths, JointsPerChain, scale, side);
+            for (int chain = 0; Veins != null && chain < skeleton.Chains.Length; chain++)
+                Veins[chain].WriteTo(ref skeleton.Chains[chain]);
+            return skeleton;
         }
 
         /// <summary>Adds a variant by the changes it makes to the standard one.</summary>
@@ -138,6 +191,24 @@ namespace Alate.Catalogue
             m_Variants.Add(variant);
             m_Changes.Add(change);
             return this;
+        }
+
+        /// <summary>Adds changes to the standard numbers, which hold in every variant that does not change them after that.</summary>
+        /// <param name="change">The changes.</param>
+        internal void Change(Action<WingPreset> change)
+        {
+            for (int k = 0; k < m_Changes.Count; k++)
+                m_Changes[k] += change;
+        }
+
+        /// <summary>Adds changes to a variant, which the wing gets where it has none.</summary>
+        internal void Change(InsectVariant variant, Action<WingPreset> change)
+        {
+            int k = m_Variants.IndexOf(variant);
+            if (k < 0)
+                With(variant, change);
+            else
+                m_Changes[k] += change;
         }
     }
 }

@@ -10,7 +10,7 @@ namespace Alate.Catalogue
     public static class CatalogueFlight
     {
         /// <summary>[species] Shared by all insects that were made.</summary>
-        private static readonly Dictionary<string, FlightTrims> s_Trims = new Dictionary<string, FlightTrims>();
+        private static readonly Dictionary<InsectDefinition, FlightTrims> s_Trims = new Dictionary<InsectDefinition, FlightTrims>();
 
         /// <summary>Makes the flight model of an insect: all its wings on both sides, its body and their masses. Dispose it.</summary>
         /// <param name="insect">The insect.</param>
@@ -44,14 +44,14 @@ namespace Alate.Catalogue
         /// <param name="model">Its model.</param>
         /// <returns>The table; null where none is made for these numbers: <see cref="TrimBake"/> makes one.</returns>
         public static TrimTable CreateTable(InsectDefinition insect, FlightModel model) =>
-            TrimTableText.Read(TrimTables.Of(insect.Name), model.Key);
+            TrimTableText.Read(TrimTables.Of(insect), model.Key);
 
         /// <summary>
         /// Returns true where an insect flies, or swims, with <see cref="InsectVariant.Flight"/>: it has such numbers and a trim table for
         /// them.
         /// </summary>
         /// <param name="insect">The insect.</param>
-        public static bool Flies(InsectDefinition insect) => TrimTables.Of(insect.Name) != null;
+        public static bool Flies(InsectDefinition insect) => TrimTables.Of(insect) != null;
 
         /// <summary>Lets an insect that was made with <see cref="InsectVariant.Flight"/> fly by its own wings.</summary>
         /// <param name="wings">The insect.</param>
@@ -59,11 +59,11 @@ namespace Alate.Catalogue
         /// <exception cref="ArgumentException">There is no trim table of the species.</exception>
         public static InsectFlight AddTo(InsectWings wings, InsectDefinition insect)
         {
-            if (!s_Trims.TryGetValue(insect.Name, out FlightTrims trims) || trims == null)
+            if (!s_Trims.TryGetValue(insect, out FlightTrims trims) || trims == null)
             {
                 trims = CreateTrims(insect);
                 trims.hideFlags = HideFlags.HideAndDontSave;
-                s_Trims[insect.Name] = trims;
+                s_Trims[insect] = trims;
             }
 
             return AddTo(wings, insect, trims);
@@ -75,7 +75,7 @@ namespace Alate.Catalogue
         {
             if (!Flies(insect))
                 throw new ArgumentException($"The {insect.DisplayName} has no trim table: it does not fly.", nameof(insect));
-            var trims = FlightTrims.Create(TrimTables.Of(insect.Name));
+            var trims = FlightTrims.Create(TrimTables.Of(insect));
             trims.name = insect.DisplayName + " Flight Trims";
             return trims;
         }

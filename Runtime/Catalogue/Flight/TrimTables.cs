@@ -3,7 +3,10 @@ namespace Alate.Catalogue
     /// <summary>Trim tables of the insects as text; written by the command line: trim SPECIES --bake.</summary>
     internal static class TrimTables
     {
-        /// <summary>Table of an insect; null where there is none.</summary>
+        /// <summary>Table of an insect, its own or that of the catalogue; null where there is none.</summary>
+        public static string Of(InsectDefinition insect) => insect.Trims ?? Of(insect.Name);
+
+        /// <summary>Table of an insect of the catalogue; null where there is none.</summary>
         public static string Of(string name)
         {
             switch (name)

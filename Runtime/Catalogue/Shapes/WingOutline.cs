@@ -80,6 +80,10 @@ namespace Alate.Catalogue
             return new WingOutline(m_Spans, edges.m_Leading, edges.m_Trailing, capStart, Length);
         }
 
+        /// <summary>The same shape at another wing length.</summary>
+        /// <param name="length">Metres.</param>
+        internal WingOutline At(double length) => new WingOutline(m_Spans, m_Leading, m_Trailing, m_CapStart, length);
+
         /// <summary>The leading edge ahead of the hinge line at a span from 0 to 1, wing lengths.</summary>
         public double LeadingAt(double span) => Capped(span, m_Leading.At(span));
 

@@ -9,7 +9,7 @@ internal static class FlightOptions
     public static Argument<string[]> AnySpecies() => new("SPECIES")
     {
         Arity = ArgumentArity.ZeroOrMore,
-        Description = $"The insects: {string.Join(", ", InsectCatalogue.Names)}; all where none is named.",
+        Description = $"The insects: {KnownSpecies.Names}; all where none is named.",
     };
 
     public static Option<double?> Speed() => Numbers.Optional(FlightNumbers.Speed);

@@ -141,9 +141,11 @@ internal sealed class FlyOptions
     public FlightPlan Plan(ParseResult parsed, string species)
     {
         string name = species ?? parsed.GetValue(m_Species);
+        InsectDefinition named = InsectFile.IsNamed(name) ? KnownSpecies.Find(name)
+            : InsectCatalogue.TryFind(name, out InsectDefinition known) ? known : null;
         var plan = new FlightPlan
         {
-            Species = name,
+            Definition = named,
             MeshFile = File(parsed, m_Mesh, 0),
             SkeletonFile = File(parsed, m_Skeleton, 0),
             TextureFile = File(parsed, m_Texture, 0),
@@ -152,7 +154,7 @@ internal sealed class FlyOptions
             HindTextureFile = File(parsed, m_Texture, 1),
             KinematicsFile = parsed.GetValue(m_Kinematics),
             Speed = parsed.GetValue(m_Speed)
-                ?? (InsectCatalogue.TryFind(name, out InsectDefinition found) ? FlightPlan.CruiseOf(found) : 0),
+                ?? (named == null ? 0 : FlightPlan.CruiseOf(named)),
             Variant = parsed.GetValue(m_Variant) ?? InsectVariant.Standard,
             Climb = parsed.GetValue(m_Climb),
             PitchDegrees = parsed.GetValue(m_Pitch),
@@ -172,7 +174,8 @@ internal sealed class FlyOptions
             IsDrawn = IsDrawn(parsed),
             Folder = parsed.GetValue(m_Out),
         };
-        Check(plan, species, parsed.GetValue(m_Species));
+        plan = named == null ? plan with { Species = name } : plan;
+        Check(plan, named, species, parsed.GetValue(m_Species));
         return plan;
     }
 
@@ -192,7 +195,7 @@ internal sealed class FlyOptions
     private static string File(ParseResult parsed, Option<string[]> option, int index) =>
         parsed.GetValue(option)?.ElementAtOrDefault(index);
 
-    private static void Check(FlightPlan plan, string species, string preset)
+    private static void Check(FlightPlan plan, InsectDefinition named, string species, string preset)
     {
         string known = string.Join(", ", InsectCatalogue.Names);
         if ((plan.MeshFile == null) != (plan.SkeletonFile == null))
@@ -201,8 +204,8 @@ internal sealed class FlyOptions
             throw new UserException("Each --mesh needs a --skeleton.");
         if (plan.TextureFile != null && plan.MeshFile == null || plan.HindTextureFile != null && plan.HindMeshFile == null)
             throw new UserException("--texture goes with --mesh, one picture for each.");
-        if (plan.HindMeshFile != null && InsectCatalogue.TryFind(plan.Species, out InsectDefinition kinds) && kinds.Wings.Count < 2)
-            throw new UserException($"The {kinds.DisplayName} has one kind of wing, so that --mesh takes one file.");
+        if (plan.HindMeshFile != null && named is { Wings.Count: < 2 })
+            throw new UserException($"The {named.DisplayName} has one kind of wing, so that --mesh takes one file.");
         if (plan.MeshFile == null && preset != null)
             throw new UserException("--species goes with --mesh and --skeleton; name a species of the catalogue as 'fly SPECIES'.");
         if (plan.MeshFile != null && species != null)

@@ -71,7 +71,7 @@ internal sealed class FreeOptions
             Options = string.Join(
                 ' ', Flown.Where(option => IsGiven(parsed, option)).Select(option => parsed.GetResult(option)).Select(Said)),
             Insect = KnownSpecies.Find(
-                species ?? throw new UserException($"Which species? Known: {string.Join(", ", InsectCatalogue.Names)}."),
+                species ?? throw new UserException($"Which species? Known: {KnownSpecies.Names}."),
                 InsectVariant.Flight),
             Pilot = PilotOf(parsed),
             Points = PointsOf(parsed),
@@ -89,8 +89,9 @@ internal sealed class FreeOptions
         Option given = ((Option[])[.. Flown, m_Record]).FirstOrDefault(option => IsGiven(parsed, option));
         if (given != null || seconds != null)
             throw new UserException($"--replay takes no {given?.Name ?? "--seconds"}: the recording says it.");
-        var replay = Replay.Read(file);
-        if (species != null && !string.Equals(species, replay.Species.Name, StringComparison.OrdinalIgnoreCase))
+        InsectDefinition own = InsectFile.IsNamed(species) ? KnownSpecies.Find(species) : null;
+        var replay = Replay.Read(file, own);
+        if (species != null && !string.Equals(own?.Name ?? species, replay.Species.Name, StringComparison.OrdinalIgnoreCase))
             throw new UserException($"'{file}' was flown by the {replay.Species.Name}, not by '{species}'.");
         FlightRecording recording = replay.Recording;
         return new FreePlan

@@ -65,7 +65,7 @@ internal static class FreeRun
         float3 ahead = math.rotate(middle.Rotation, new float3(0f, 0f, 1f));
         var beat = new FlightPlan
         {
-            Species = plan.Insect.Name,
+            Definition = plan.Insect,
             Variant = InsectVariant.Flight,
             Speed = math.length(middle.Wanted.xz),
             Climb = middle.Wanted.y,

@@ -9,10 +9,12 @@ internal sealed record Replay(InsectDefinition Species, FlightRecording Recordin
 {
     /// <summary>Reads a recording and finds its insect.</summary>
     /// <exception cref="UserException">The file cannot be read or is no recording, or no insect flies by its numbers.</exception>
-    public static Replay Read(string file) => TextFile.Read(file, text =>
+    /// <param name="file">The recording.</param>
+    /// <param name="other">Insect that may have flown it beside those of the catalogue; null for none.</param>
+    public static Replay Read(string file, InsectDefinition other = null) => TextFile.Read(file, text =>
     {
         FlightRecording recording = RecordingReader.Read(text);
-        return new Replay(InsectOf(recording), recording);
+        return new Replay(InsectOf(recording, other == null ? InsectCatalogue.All : KnownSpecies.With(other).ToList()), recording);
     });
 
     /// <summary>Makes the model of the insect, its wings placed as they were.</summary>
@@ -32,11 +34,11 @@ internal sealed record Replay(InsectDefinition Species, FlightRecording Recordin
     }
 
     // A scene does not know the catalogue: its insect is found by the numbers by which it flies.
-    private static InsectDefinition InsectOf(FlightRecording recording)
+    private static InsectDefinition InsectOf(FlightRecording recording, IReadOnlyList<InsectDefinition> known)
     {
-        if (recording.Insect.Length > 0 && !InsectCatalogue.TryFind(recording.Insect, out _))
+        if (recording.Insect.Length > 0 && known.All(insect => insect.Name != recording.Insect))
             throw new FormatException($"The insect '{recording.Insect}' is not known here.");
-        foreach (InsectDefinition insect in InsectCatalogue.All)
+        foreach (InsectDefinition insect in known)
         {
             if (!CatalogueFlight.Flies(insect) || recording.Insect.Length > 0 && insect.Name != recording.Insect)
                 continue;
@@ -47,6 +49,6 @@ internal sealed record Replay(InsectDefinition Species, FlightRecording Recordin
 
         string who = recording.Insect.Length > 0 ? $"the {recording.Insect}" : "an insect";
         throw new FormatException(
-            $"It was flown by {who} with numbers of another version, key {recording.KeyText}; none of the catalogue has them.");
+            $"It was flown by {who} with numbers of another version, key {recording.KeyText}; no insect that is known here has them.");
     }
 }

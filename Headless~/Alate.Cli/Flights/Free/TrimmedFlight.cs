@@ -10,7 +10,7 @@ internal static class TrimmedFlight
     /// <exception cref="UserException">The insect does not fly by its own wings, or not there.</exception>
     public static FlightPlan Of(FlightPlan plan)
     {
-        InsectDefinition insect = KnownSpecies.Find(plan.Species, InsectVariant.Flight);
+        InsectDefinition insect = KnownSpecies.With(plan.Definition, InsectVariant.Flight);
         using FlightModel model = CatalogueFlight.CreateModel(insect);
         using TrimTable table = TableOf(insect, model);
         if (plan.Substeps is int substeps)
@@ -34,7 +34,8 @@ internal static class TrimmedFlight
     /// <summary>Trim table of a species.</summary>
     /// <exception cref="UserException">It has none.</exception>
     public static TrimTable TableOf(InsectDefinition insect, FlightModel model) => CatalogueFlight.CreateTable(insect, model)
-        ?? throw new UserException($"The {insect.DisplayName} has no trim table: 'trim {insect.Name}' says at which speeds it flies.");
+        ?? throw new UserException($"The {insect.DisplayName} has no trim table for these numbers: "
+            + "'trim' says at which speeds it flies, and 'trim --bake' makes the table.");
 
     /// <summary>Sets the substeps of all wings.</summary>
     public static void Refine(FlightModel model, Func<WingParameters, int> substeps)

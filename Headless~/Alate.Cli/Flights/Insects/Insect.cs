@@ -1,4 +1,3 @@
-using Alate.Authoring;
 using UnityEngine;
 
 namespace Alate.Cli;
@@ -28,10 +27,15 @@ internal sealed class Insect
     /// <exception cref="UserException">An unknown species, or files that are no wing.</exception>
     public static Insect Of(FlightPlan plan)
     {
-        InsectDefinition definition = KnownSpecies.Find(plan.Species, plan.Variant);
+        InsectDefinition definition = KnownSpecies.With(plan.Definition, plan.Variant);
         Insect insect = plan.MeshFile == null ? FromCatalogue(definition, plan) : FromFiles(definition, plan);
         if (plan.KinematicsFile != null)
-            TextFile.Read(plan.KinematicsFile, KinematicsJson.Read).ApplyTo(plan.KinematicsFile, insect.Wings);
+        {
+            var motion = KinematicsFile.Read(plan.KinematicsFile, insect.Wings.Select(wing => wing.Name).ToList());
+            foreach (InsectWing wing in insect.Wings)
+                motion.ApplyTo(wing.Name, wing.Preset);
+        }
+
         plan.Change?.ApplyTo(insect.Wings.Select(wing => wing.Preset).ToList());
         return insect;
     }
@@ -51,7 +55,8 @@ internal sealed class Insect
                 Colours = surface.colours,
                 Pattern = wing.Pattern,
                 Definition = wing,
-                PatternScale = (float)wing.Outline.Length * InsectDefinition.UnitsPerMetre,
+                Picture = wing.Picture == null ? null : WingTexture.Of(wing.Picture),
+                PatternScale = (float)wing.Length * InsectDefinition.UnitsPerMetre,
                 Origin = (float3)wing.Hinge,
             });
         }
@@ -70,21 +75,9 @@ internal sealed class Insect
 
     private static InsectWing FromFiles(WingDefinition model, FlightPlan plan, string meshFile, string skeletonFile, string textureFile)
     {
-        ObjMesh mesh = TextFile.Read(meshFile, ObjReader.Read, InputFile.Mesh);
-        WingSkeleton skeleton = TextFile.Read(skeletonFile, reader => SkeletonJson.Read(reader.ReadToEnd(), mesh.Origin));
-        List<SkeletonProblem> problems = skeleton.Validate();
-        if (problems.Count > 0)
-            throw new UserException($"{skeletonFile}: {problems[0].Message}");
-        if (textureFile != null && mesh.Uvs == null)
-        {
-            throw new UserException(
-                $"{meshFile} has no texture coordinates ('vt') at every corner, so that '{textureFile}' has no place on it.");
-        }
-        string picture = textureFile ?? (mesh.Uvs == null ? null : ObjMaterial.FindPicture(meshFile, mesh.Library));
-        if (picture != null)
-            mesh = TextFile.Read(meshFile, ObjReader.ReadTextured, InputFile.Mesh);
-        return Own(model, plan, mesh.ToSurface(meshFile), mesh.Colours, skeleton,
-            picture == null ? null : WingTexture.Of(PictureFile.Read(picture).Bytes));
+        var files = WingFiles.Read(meshFile, skeletonFile, textureFile);
+        return Own(model, plan, files.Mesh.ToSurface(meshFile), files.Mesh.Colours, files.Skeleton,
+            files.Picture == null ? null : WingTexture.Of(files.Picture));
     }
 
     /// <summary>An insect with the body and the numbers of a species, and a wing of another kind.</summary>

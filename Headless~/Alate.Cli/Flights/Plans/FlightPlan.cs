@@ -5,7 +5,23 @@ namespace Alate.Cli;
 /// <summary>Plan of a flight: the insect, its flight, the model, and the folder of the files.</summary>
 internal sealed record FlightPlan
 {
-    public string Species { get; init; }
+    private readonly string m_Species;
+    private readonly InsectDefinition m_Definition;
+
+    /// <summary>Name of the insect whose numbers fly.</summary>
+    public string Species
+    {
+        get => m_Species;
+        init => (m_Species, m_Definition) = (value, null);
+    }
+
+    /// <summary>The insect whose numbers fly: of the catalogue by its name, or of an insect file.</summary>
+    /// <exception cref="UserException">The catalogue has no insect of that name.</exception>
+    public InsectDefinition Definition
+    {
+        get => m_Definition ?? KnownSpecies.FindInCatalogue(Species);
+        init => (m_Species, m_Definition) = (value?.Name, value);
+    }
 
     /// <summary>Wing of the user's own, and its skeleton; null for the species'.</summary>
     public string MeshFile { get; init; }
@@ -111,7 +127,7 @@ internal sealed record FlightPlan
 
     /// <summary>Level flight of a species at <see cref="CruiseOf"/>.</summary>
     public static FlightPlan Cruise(InsectDefinition definition, InsectVariant variant) =>
-        new() { Species = definition.Name, Variant = variant, Speed = CruiseOf(definition) };
+        new() { Definition = definition, Variant = variant, Speed = CruiseOf(definition) };
 
     /// <summary>The species' parameters with this plan's changes.</summary>
     /// <exception cref="UserException">They leave the range that the model takes.</exception>

@@ -63,7 +63,7 @@ internal static class PlanRange
 
     // Wings of the user's own are of the first kinds.
     private static List<WingPreset> Wings(FlightPlan plan) =>
-        KnownSpecies.Find(plan.Species, plan.Variant).Wings.Take(plan.MeshFile == null ? int.MaxValue : plan.OwnWings)
+        KnownSpecies.With(plan.Definition, plan.Variant).Wings.Take(plan.MeshFile == null ? int.MaxValue : plan.OwnWings)
             .Select(wing => wing.CreatePreset(plan.Preset, plan.Variant)).ToList();
 
     private static WingParameterRange Range(string name) => WingParameterRange.All.First(range => range.Name == name);

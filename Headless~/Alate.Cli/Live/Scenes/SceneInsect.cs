@@ -13,6 +13,7 @@ internal sealed class SceneInsect : IDisposable
     /// <summary>Bit of a state that has a wake behind the wings of each column.</summary>
     private const uint k_WithWake = 1;
 
+    private readonly InsectDefinition m_Served;
     private List<LiveFlight> m_Flights = [];
     private OwnWing m_Own;
     private uint m_Sequence;
@@ -20,6 +21,7 @@ internal sealed class SceneInsect : IDisposable
     /// <exception cref="UserException">The species does not fly with its own numbers.</exception>
     public SceneInsect(ViewSettings settings)
     {
+        m_Served = settings.Flight.Definition;
         Scene = Make(settings, null);
     }
 
@@ -33,7 +35,7 @@ internal sealed class SceneInsect : IDisposable
     /// <exception cref="UserException">A value is wrong; nothing is changed.</exception>
     public bool Change(ViewRequest request)
     {
-        ViewSettings settings = request.Apply(Settings);
+        ViewSettings settings = request.Apply(Settings, m_Served);
         bool isOther = settings.Species != Settings.Species || settings.Variant != Settings.Variant
             || settings.IsCompared != Settings.IsCompared;
         OwnWing own = settings.Species != Settings.Species || request.IsCatalogue ? null : m_Own;
@@ -162,6 +164,6 @@ internal sealed class SceneInsect : IDisposable
     private static Insect InsectOf(ViewSettings settings, OwnWing own)
     {
         FlightPlan plan = settings.Plan(ComparisonColumn.FullModel);
-        return own == null ? Insect.Of(plan) : own.Fit(KnownSpecies.Find(settings.Species, settings.Variant), plan);
+        return own == null ? Insect.Of(plan) : own.Fit(settings.Flight.Definition, plan);
     }
 }

@@ -43,14 +43,18 @@ internal sealed class ViewRequest
     }
 
     /// <summary>Settings with the changes of this message.</summary>
+    /// <param name="settings">The settings.</param>
+    /// <param name="served">Insect that is known beside those of the catalogue, before one of the same name; null for none.</param>
     /// <exception cref="UserException">There is no such species, variant or slider, or a value is out of its range.</exception>
-    public ViewSettings Apply(ViewSettings settings)
+    public ViewSettings Apply(ViewSettings settings, InsectDefinition served = null)
     {
         if (m_Species != null || m_Variant != null)
         {
             InsectVariant variant = Variant();
             (bool isCompared, bool hasWake) = (settings.IsCompared, settings.HasWake);
-            settings = ViewSettings.Of(KnownSpecies.Find(m_Species ?? settings.Species, variant), variant);
+            string name = m_Species ?? settings.Species;
+            InsectDefinition species = name == served?.Name ? served : KnownSpecies.FindInCatalogue(name);
+            settings = ViewSettings.Of(KnownSpecies.With(species, variant), variant);
             settings = settings with { IsCompared = isCompared, HasWake = hasWake };
         }
 

@@ -32,7 +32,7 @@ internal sealed class ViewSession(WebSocket socket, SimulationThread simulation,
         try
         {
             m_Insect = await simulation.Do(() => new SceneInsect(ViewSettings.Of(species, variant)));
-            await Send(SceneMessage.Hello(InsectCatalogue.All, ViewSlider.All), end.Token);
+            await Send(SceneMessage.Hello(KnownSpecies.With(species), ViewSlider.All), end.Token);
             await Send(m_Insect.Scene, end.Token);
             using var timer = new PeriodicTimer(TimeSpan.FromSeconds(1.0 / SceneInsect.Rate));
             while (await timer.WaitForNextTickAsync(end.Token))

@@ -56,7 +56,7 @@ internal sealed class Comparison
     // As fast as the flight on the spot, or as fast as the insect flies.
     private static FlightMeans FlyFreely(FlightPlan plan)
     {
-        InsectDefinition insect = InsectCatalogue.Find(plan.Species);
+        InsectDefinition insect = plan.Definition;
         if (!insect.Variants.Contains(InsectVariant.Flight))
             return null;
         using FlightModel model = CatalogueFlight.CreateModel(insect);

@@ -69,7 +69,7 @@ internal sealed class DragonflyRun
             Column = rigid ? ComparisonColumn.RigidWing : ComparisonColumn.FullModel,
         };
         var insect = Insect.Of(plan);
-        InsectDefinition definition = InsectCatalogue.Find(plan.Species);
+        InsectDefinition definition = plan.Definition;
         for (int k = 0; k < insect.Wings.Count; k++)
             Resize(insect.Wings[k].Preset, definition.Wings[k].Outline, measured, k);
         using var flight = new TetheredFlight(plan, insect);

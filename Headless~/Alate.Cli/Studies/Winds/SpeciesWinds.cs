@@ -16,7 +16,7 @@ internal sealed record SpeciesWinds(FlightPlan Plan, string DisplayName, double 
         foreach (FlightPlan flight in plan.Flights)
         {
             var insect = Insect.Of(flight);
-            double share = WindPlan.ShareOf(InsectCatalogue.Find(flight.Species));
+            double share = WindPlan.ShareOf(flight.Definition);
             var speeds = plan.Speeds.Select(speed => share * speed).ToList();
             var wings = insect.Wings
                 .Select(wing => new WingWinds(
