@@ -19,7 +19,12 @@ internal static class SpeciesCommand
             Description = "Also write the numbers and their sources as JSON to this file; to NAME.insect.json, the default with NAME, the "
                 + "whole insect file.",
         };
-        var command = new Command("species", "Lists the species with their numbers, variants and sources.") { name, json };
+        var schema = new Option<string>("--schema")
+        {
+            HelpName = "FILE",
+            Description = "Also write the JSON Schema of insect files, by which editors check and complete them.",
+        };
+        var command = new Command("species", "Lists the species with their numbers, variants and sources.") { name, json, schema };
         HelpExamples.Set(
             command, "Examples:\n  species\n  species firefly\n  species --json species.json\n  species monarch --json mine.insect.json");
         command.SetAction(parsed =>
@@ -28,6 +33,8 @@ internal static class SpeciesCommand
             var sheets = (wanted == null ? InsectCatalogue.All : [KnownSpecies.Find(wanted)]).Select(SpeciesNumbers.Of).ToList();
             if (parsed.GetResult(json) is { Implicit: false })
                 Write(file ?? (wanted == null ? null : sheets[0].Definition.Name + InsectFile.Ending), wanted, sheets);
+            if (parsed.GetValue(schema) is string place)
+                OutputFile.Write(place, stream => stream.Write(Encoding.UTF8.GetBytes(InsectSchema.Write())));
 
             var terminal = new Terminal(output);
             if (wanted == null)

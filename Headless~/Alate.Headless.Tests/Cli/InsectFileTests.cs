@@ -150,10 +150,11 @@ namespace Alate.Tests.Cli
         [TestCase("\"massMilligrams\": 1500", "\"colour\": 3", "line 5, colour: unknown key; known: $schema, version")]
         [TestCase("\"massMilligrams\": 1500", "\"massMilligrams\": \"1.5 g\"",
             "line 5, massMilligrams: it must be a number from 0.01 to 10000000 milligrams, not '1.5 g'.")]
-        [TestCase("\"massMilligrams\": 1500", "\"massMilligrams\": 1e30", "line 5, massMilligrams: 1e30 is out of range: number from 0.01")]
+        [TestCase("\"massMilligrams\": 1500", "\"massMilligrams\": 1e30",
+            "line 5, massMilligrams: 1e30 is out of range: a number from 0.01")]
         [TestCase("\"massMilligrams\": 1500", "\"massMilligrams\": 1500, \"massMilligrams\": 1",
             "line 5, massMilligrams: the key stands there twice.")]
-        [TestCase("110 }", "220 }", "line 6, beat.flapRangeDegrees: 220 is out of range: number from 0 to 180 degrees.")]
+        [TestCase("110 }", "220 }", "line 6, beat.flapRangeDegrees: 220 is out of range: a number from 0 to 180 degrees is allowed.")]
         [TestCase("{ \"frequencyHertz\": 26, \"flapRangeDegrees\": 110 }", "[26, 110]", "line 6, beat: it must be an object, not a list.")]
         [TestCase("\"lengthMillimetres\": 50", "\"lengthMetres\": 0.05",
             "line 7, wings.wing.lengthMetres: unknown key; is it lengthMillimetres?")]
@@ -168,7 +169,7 @@ namespace Alate.Tests.Cli
         [TestCase("\"monarch\"", "\"dodo\"", "line 4, like: it must be one of monarch, swallowtail")]
         [TestCase("\"hawkmoth\"", "\"../moth\"",
             "line 3, name: it must be a name of lower-case letters, digits and hyphens, not '../moth'.")]
-        [TestCase("\"version\": 1", "\"version\": 2", "line 2, version: 2 is out of range: whole number from 1 to 1.")]
+        [TestCase("\"version\": 1", "\"version\": 2", "line 2, version: 2 is out of range: 1 is allowed.")]
         [TestCase("\"version\": 1,", "\"version\": 1", "line 3: not JSON at column")]
         public void AWrongFile_IsRefusedInOneLine_ThatNamesLineAndKey(string right, string wrong, string message)
         {

@@ -13,6 +13,9 @@ internal abstract class FileShape
     /// <summary>The value as a JSON Schema.</summary>
     public abstract JsonObject Schema();
 
+    /// <summary>Kinds of the values inside.</summary>
+    public virtual IEnumerable<FileShape> Inner => [];
+
     /// <summary>Checks a value.</summary>
     /// <exception cref="FormatException">It is none of this kind; the message names its place and what is allowed.</exception>
     public abstract void Check(JsonPlace value);

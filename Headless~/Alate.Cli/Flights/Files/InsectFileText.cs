@@ -112,14 +112,14 @@ internal static class InsectFileText
         return said;
     }
 
-    private static string Pretty(JsonNode node)
+    /// <summary>JSON as a person would write it: two spaces a level, plain values of short lists and objects on one line.</summary>
+    public static string Pretty(JsonNode node)
     {
         var text = new StringBuilder();
         Append(text, node, 0);
         return text.Append('\n').ToString();
     }
 
-    // Two spaces a level; objects and lists of plain values on one line where they fit.
     private static void Append(StringBuilder text, JsonNode node, int depth)
     {
         const int k_Line = 100;

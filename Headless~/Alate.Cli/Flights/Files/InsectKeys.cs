@@ -17,6 +17,8 @@ internal static class InsectKeys
         Source = "source", Variant = "variant", Beat = "beat", Rest = "rest", Frequency = "frequencyHertz",
         FrequencyFloor = "frequencyFloor", FlapRange = "flapRangeDegrees", AmplitudeFloor = "amplitudeFloor";
 
+    private const string k_Feet = "The middle of the feet, from the middle of the thorax: right, up, ahead.";
+
     private static readonly TextShape s_WingName = new("a name of lower-case letters, digits, spaces and hyphens, such as 'fore wing'", 40,
         "^[a-z][a-z0-9 -]{0,39}$"), s_Path = new("a path from the folder of this file", 400);
 
@@ -46,18 +48,23 @@ internal static class InsectKeys
         ("wave", "Delays with which the drive runs over the wing.", [.. PresetKey.All<PresetWave>(preset => ref preset.Wave)]),
         ("stiffness", "Resistance to bending and its damping, where EI is not measured.",
             [.. PresetKey.All<PresetStiffness>(preset => ref preset.Stiffness)]),
-        (Rest, "Posture of the insect that sits.", [.. PresetKey.All<PresetRest>(preset => ref preset.Rest)]),
+        (Rest, "Posture of the insect that sits.",
+            [
+                .. PresetKey.All<PresetRest>(preset => ref preset.Rest)
+                    .Select(key => key.Name.StartsWith("feet") ? key with { Help = k_Feet } : key),
+            ]),
         ("options", "Choices of the model.", [.. PresetKey.All<ModelOptions>(preset => ref preset.Options), Substeps()]),
     ];
 
     private static readonly FileKey[] s_Groups =
-        Groups.Select(group => new FileKey(group.Name, new ObjectShape([.. group.Keys]), group.Help)).ToArray();
+        Groups.Select(group => new FileKey(group.Name, new ObjectShape(group.Name, [.. group.Keys]), group.Help)).ToArray();
 
     private static readonly FileKey s_Kinematics = new(
         Kinematics, s_Path, "File of a prescribed motion, in place of the beat; see the page on kinematics.");
 
     /// <summary>One kind of wing.</summary>
     public static ObjectShape Wing { get; } = new(
+        "wing",
     [
         .. OfWing,
         new FileKey(Hinge, FilePlace.Shape, "Hinge of the right wing, from the middle of the thorax: right, up, ahead."),
@@ -74,6 +81,7 @@ internal static class InsectKeys
 
     /// <summary>A part of the body as the flight sees it.</summary>
     public static ObjectShape Part { get; } = new(
+        "part",
         new FileKey(Centre, FilePlace.Shape, "Middle of the ellipsoid.") { IsNeeded = true },
         new FileKey(HalfAxes, FilePlace.Lengths, "Half axes of the ellipsoid.") { IsNeeded = true },
         new FileKey(MassShare, new NumberShape(0m, 1000m, ""), "Share of the mass without wings; weighed against the sum of all.")
@@ -83,6 +91,7 @@ internal static class InsectKeys
 
     /// <summary>The body.</summary>
     public static ObjectShape BodyKeys { get; } = new(
+        "body",
         new FileKey(Scale, new NumberShape(0.001m, 1000m, ""),
             "Size of body, hinges and feet over those of 'like'. Without it they grow with the first wing."),
         new FileKey(Mesh, s_Path, "Mesh of the body, an OBJ file: X to the right, Y up, Z ahead, from the middle of the thorax."),
@@ -90,15 +99,17 @@ internal static class InsectKeys
         new FileKey(Parts, new ListShape(Part, 1, 32, "a list of 1 to 32 ellipsoids"),
             "Ellipsoids that carry the mass: they say where its centre lies and how it turns."));
 
-    private static readonly ObjectShape s_VariantWing = new([.. OfWing, .. s_Groups]);
+    private static readonly ObjectShape s_VariantWing = new("variantWing", [.. OfWing, .. s_Groups]);
 
     private static readonly ObjectShape s_Source = new(
+        "source",
         new FileKey(Quantity, new TextShape("the name of a number", 100), "What was measured, such as 'wing length'.") { IsNeeded = true },
         new FileKey(Value, new TextShape("a value with its unit", 200), "The number with its unit.") { IsNeeded = true },
         new FileKey(Source, new TextShape("a reference", 1000), "The paper, or 'assumed' with the reason.") { IsNeeded = true },
         new FileKey(Variant, new ChoiceShape([.. VariantNames]), "The variant that has this number; standard without it."));
 
     private static readonly ObjectShape s_Variant = new(
+        "variant",
     [
         .. OfInsect, .. s_Groups,
         new FileKey(Wings, new MapShape(s_VariantWing, s_WingName, "an object with the names of wings"), "Numbers of one wing."),
@@ -106,6 +117,7 @@ internal static class InsectKeys
 
     /// <summary>The whole file.</summary>
     public static ObjectShape File { get; } = new(
+        "insect",
     [
         new FileKey(SchemaKey, new TextShape("the address of the schema"), "Address of the schema, for editors; not read."),
         new FileKey(VersionKey, new NumberShape(Version, Version, "", isWhole: true), "Version of this format.") { IsNeeded = true },
@@ -121,7 +133,7 @@ internal static class InsectKeys
         new FileKey(Body, BodyKeys, "The body."),
         new FileKey(Trims, s_Path, "Table of trims for flights by its own wings, as 'trim FILE --bake' writes it."),
         new FileKey(Sources, new ListShape(s_Source, 0, 200, "a list of up to 200 sources"), "Where each number comes from."),
-        new FileKey(Variants, new ObjectShape([.. VariantNames.Skip(1).Select(name =>
+        new FileKey(Variants, new ObjectShape("variants", [.. VariantNames.Skip(1).Select(name =>
             new FileKey(name, s_Variant, $"What the variant {name} has otherwise."))]),
             "Other numbers of the same insect, for --variant; 'flight' are those by which it flies freely."),
     ]);

@@ -12,8 +12,7 @@ internal sealed class ListShape(FileShape item, int least, int most, string word
 {
     public override string Words => words;
 
-    /// <summary>Each of the values.</summary>
-    public FileShape Item => item;
+    public override IEnumerable<FileShape> Inner => [item];
 
     public override JsonObject Schema() => new()
     {

@@ -12,8 +12,7 @@ internal sealed class MapShape(FileShape item, TextShape name, string words) : F
 
     public override string Words => words;
 
-    /// <summary>The value of each.</summary>
-    public FileShape Item => item;
+    public override IEnumerable<FileShape> Inner => [item];
 
     public override JsonObject Schema() => new()
     {

@@ -10,14 +10,8 @@ namespace Alate.Cli;
 /// <param name="isWhole">True for whole numbers alone.</param>
 internal sealed class NumberShape(decimal min, decimal max, string unit, bool isWhole = false) : FileShape
 {
-    public override string Words => FormattableString.Invariant(
+    public override string Words => min == max ? FormattableString.Invariant($"{min}") : FormattableString.Invariant(
         $"a {(isWhole ? "whole " : "")}number from {min} to {max}{(unit.Length == 0 ? "" : $" {unit}")}");
-
-    /// <summary>The range in few words.</summary>
-    public string Range => FormattableString.Invariant($"{min} to {max}");
-
-    /// <summary>The unit in words.</summary>
-    public string Unit => unit;
 
     public override JsonObject Schema() => new()
     {
@@ -33,7 +27,7 @@ internal sealed class NumberShape(decimal min, decimal max, string unit, bool is
         if (!FileNumber.TryRead(value.Text, out decimal number) || number < min || number > max
             || isWhole && number != decimal.Truncate(number))
         {
-            throw value.Wrong($"{Quote.Of(value.Text)[1..^1]} is out of range: {Words[2..]}");
+            throw value.Wrong($"{Quote.Of(value.Text)[1..^1]} is out of range: {Words} is allowed");
         }
     }
 }

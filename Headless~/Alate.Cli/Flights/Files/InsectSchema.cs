@@ -1,0 +1,64 @@
+using System.Text.Json.Nodes;
+
+namespace Alate.Cli;
+
+/// <summary>The keys of insect files as a JSON Schema, which editors check and complete by, and as the manual's tables.</summary>
+internal static class InsectSchema
+{
+    /// <summary>Name of the file.</summary>
+    public const string FileName = "insect-file.schema.json";
+
+    /// <summary>Every kind of object, the whole file first, each once.</summary>
+    private static IReadOnlyList<ObjectShape> Objects { get; } = Below(InsectKeys.File).Distinct().ToList();
+
+    /// <summary>The schema's text.</summary>
+    public static string Write()
+    {
+        var definitions = new JsonObject();
+        foreach (ObjectShape kind in Objects.Skip(1))
+            definitions[kind.Name] = kind.Definition();
+        JsonObject file = InsectKeys.File.Definition();
+        file.Insert(0, "$schema", "https://json-schema.org/draft/2020-12/schema");
+        file.Insert(1, "title", "Insect file");
+        file.Insert(2, "description", "An insect for the command line of Alate Insect Wings.");
+        file["$defs"] = definitions;
+        return InsectFileText.Pretty(file);
+    }
+
+    /// <summary>Tables of the manual: a heading and a table for each kind of object.</summary>
+    public static string WriteTables()
+    {
+        WingPreset monarch = InsectCatalogue.Monarch();
+        var text = new StringBuilder();
+        foreach (ObjectShape kind in Objects)
+        {
+            bool hasNumbers = kind.Keys.Any(key => key is PresetKey);
+            text.Append($"\n### {Title(kind.Name)}\n\n");
+            text.Append(MarkdownTable([
+                hasNumbers ? ["key", "value", "a monarch's", "what it says"] : ["key", "value", "what it says"],
+                .. kind.Keys.Select(key => Row(key, hasNumbers, monarch)),
+            ]));
+        }
+
+        UnityEngine.Object.DestroyImmediate(monarch);
+        return text.Append('\n').ToString();
+    }
+
+    // "variantWing" is "Variant wing".
+    private static string Title(string name) => char.ToUpperInvariant(name[0])
+        + string.Concat(name[1..].Select(letter => char.IsUpper(letter) ? " " + char.ToLowerInvariant(letter) : letter.ToString()));
+
+    private static string[] Row(FileKey key, bool hasNumbers, WingPreset monarch)
+    {
+        string name = $"`{key.Name}`" + (key.IsNeeded ? ", needed" : "");
+        return hasNumbers
+            ? [name, key.Shape.Words, key is PresetKey number ? InsectFileText.Pretty(number.Of(monarch)).Trim() : "", key.Help]
+            : [name, key.Shape.Words, key.Help];
+    }
+
+    private static string MarkdownTable(IReadOnlyList<IReadOnlyList<string>> rows) => string.Concat(
+        rows.Select((row, k) => $"| {string.Join(" | ", row)} |\n" + (k == 0 ? $"{string.Concat(row.Select(_ => "|---"))}|\n" : "")));
+
+    private static IEnumerable<ObjectShape> Below(FileShape shape) =>
+        (shape is ObjectShape one ? [one] : Enumerable.Empty<ObjectShape>()).Concat(shape.Inner.SelectMany(Below));
+}
