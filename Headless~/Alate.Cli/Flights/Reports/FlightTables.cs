@@ -28,6 +28,8 @@ internal static class FlightTables
             terminal.Lines.Profile.Out.Writer.WriteLine(
                 $"† {bound.Title} is outside the usual {bound.RangeOf(flight.Plan.Variant)} ({bound.Source}).");
         }
+        foreach (string doubt in UnitDoubts.Of(summary))
+            terminal.Lines.Profile.Out.Writer.WriteLine(doubt); // not wrapped
         if (summary.IsOverstretched)
             terminal.Lines.Profile.Out.Writer.WriteLine(Overstretched(summary)); // not wrapped
         terminal.ShowFiles(folder, files);

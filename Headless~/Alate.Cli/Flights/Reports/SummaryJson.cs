@@ -23,6 +23,10 @@ internal static class SummaryJson
         Number(json, "beats", summary.Flight.Beats);
         Number(json, "seconds", summary.Flight.Seconds);
         WriteOtherWings(json, summary);
+        json.WriteStartArray("doubts");
+        foreach (string doubt in UnitDoubts.Of(summary))
+            json.WriteStringValue(doubt);
+        json.WriteEndArray();
         WriteOptions(json, summary.Flight);
         json.WriteEndObject();
         json.Flush();
