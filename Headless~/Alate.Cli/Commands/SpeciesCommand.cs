@@ -1,4 +1,5 @@
 using System.CommandLine;
+using Spectre.Console;
 
 namespace Alate.Cli;
 
@@ -24,9 +25,15 @@ internal static class SpeciesCommand
             HelpName = "FILE",
             Description = "Also write the JSON Schema of insect files, by which editors check and complete them.",
         };
-        var command = new Command("species", "Lists the species with their numbers, variants and sources.") { name, json, schema };
+        var check = new Option<bool>("--check")
+        {
+            Description = "Of one: show its numbers beside those of real insects instead, in each variant, and ask where a unit may be "
+                + "wrong.",
+        };
+        var command = new Command("species", "Lists the species with their numbers, variants and sources.") { name, json, schema, check };
         HelpExamples.Set(
-            command, "Examples:\n  species\n  species firefly\n  species --json species.json\n  species monarch --json mine.insect.json");
+            command, "Examples:\n  species\n  species firefly\n  species --json species.json\n  species monarch --json mine.insect.json\n"
+            + "  species mine.insect.json --check");
         command.SetAction(parsed =>
         {
             string wanted = parsed.GetValue(name), file = parsed.GetValue(json);
@@ -37,13 +44,28 @@ internal static class SpeciesCommand
                 OutputFile.Write(place, stream => stream.Write(Encoding.UTF8.GetBytes(InsectSchema.Write())));
 
             var terminal = new Terminal(output);
-            if (wanted == null)
+            if (parsed.GetValue(check))
+                Check(wanted == null ? throw new UserException("--check needs the NAME of an insect.") : sheets[0].Definition, terminal);
+            else if (wanted == null)
                 terminal.ShowTexts("Species", List(sheets));
             else
                 Show(sheets[0], terminal);
             return 0;
         });
         return command;
+    }
+
+    private static void Check(InsectDefinition insect, Terminal terminal)
+    {
+        foreach (InsectVariant variant in insect.Variants)
+        {
+            var plan = new FlightPlan { Definition = insect, Variant = variant, Speed = FlightPlan.CruiseOf(insect) };
+            string title = KnownSpecies.Titled(insect.DisplayName, variant);
+            terminal.ShowPlausibility(
+                FormattableString.Invariant($"{title} beside real insects, at {plan.Speed:0.##} m/s:"), Plausibility.Of(plan));
+        }
+
+        terminal.Lines.WriteLine(MeasureBound.Note);
     }
 
     private static void Write(string file, string wanted, List<SpeciesNumbers> sheets)

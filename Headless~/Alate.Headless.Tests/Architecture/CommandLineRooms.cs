@@ -63,7 +63,7 @@ namespace Alate.Tests.Architecture
                     ["Plans"] = ["Files"],
                     ["Insects"] = ["Files", "Plans"],
                     ["Runs"] = ["Insects", "Plans"],
-                    ["Measures"] = ["Insects", "Plans", "Runs"],
+                    ["Measures"] = ["Files", "Insects", "Plans", "Runs"],
                     ["Free"] = ["Plans", "Runs"],
                     ["Pictures"] = ["Free", "Insects", "Measures", "Plans", "Runs"],
                     ["Reports"] = ["Free", "Insects", "Measures", "Pictures", "Plans", "Runs"],

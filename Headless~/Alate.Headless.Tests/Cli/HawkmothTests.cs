@@ -40,38 +40,6 @@ namespace Alate.Tests.Cli
             Assert.That(double.Parse(rows[^1][height], System.Globalization.CultureInfo.InvariantCulture), Is.EqualTo(0).Within(0.02));
         }
 
-        [Test]
-        public void AFlapInRadians_AndAStiffnessInNewtonSquareMillimetres_AreDoubted()
-        {
-            using var run = new CommandRun();
-            string text = System.IO.File.ReadAllText(File).Replace("\"flapRangeDegrees\": 114.6", "\"flapRangeDegrees\": 2")
-                .Replace("\"massMilligrams\": 47", """
-                    "massMilligrams": 47, "flexuralStiffnessNewtonSquareMetres": [[60], [30], [20], [10], [5]]
-                    """);
-            string[] rest = ["--speed", "0", "--no-pictures", "--out", run.Out];
-            Assert.That(run.Run(["fly", run.Write("wrong.insect.json", text.Replace("\"trims\": \"hawkmoth.trims\",", "")), .. rest]),
-                Is.Zero, run.Errors);
-            using var summary = JsonDocument.Parse(System.IO.File.ReadAllText(Path.Combine(run.Out, "summary.json")));
-            string[] doubts = summary.RootElement.GetProperty("doubts").EnumerateArray().Select(doubt => doubt.GetString()).ToArray();
-            Assert.That(doubts, Has.Length.EqualTo(2));
-            Assert.That(doubts[0], Does.Contain("flaps by 2°").And.Contain("2 rad are 114.6°"));
-            Assert.That(doubts[1], Does.Contain("is the unit N m²?"));
-            foreach (string doubt in doubts)
-                Assert.That(run.Output, Does.Contain(doubt));
-        }
-
-        [Test]
-        public void NumbersOfRealInsects_AreNotDoubted()
-        {
-            Assert.That(UnitDoubts.AboutFlap("wing", 0), Is.Null, "A wing that is held.");
-            Assert.That(UnitDoubts.AboutFlap("wing", 50), Is.Null);
-            Assert.That(UnitDoubts.AboutStiffness("wing", 3e-5, 1e-4), Is.Null);
-            Assert.That(UnitDoubts.AboutStiffness("wing", 1e-7, 1e-4), Is.Not.Null);
-            using var run = new CommandRun();
-            Assert.That(run.Run("fly", File, "--speed", "0", "--no-pictures", "--out", run.Out), Is.Zero, run.Errors);
-            Assert.That(System.IO.File.ReadAllText(Path.Combine(run.Out, "summary.json")), Does.Contain("\"doubts\": []"));
-        }
-
         [Test, Explicit, Category("Long")]
         [TestCase("trim", "FILE", "--speeds", "0,1", "--climbs", "0")]
         [TestCase("film", "FILE", "--beats", "1", "--frames", "4", "--width", "120")]

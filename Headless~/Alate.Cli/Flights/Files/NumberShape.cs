@@ -10,6 +10,9 @@ namespace Alate.Cli;
 /// <param name="isWhole">True for whole numbers alone.</param>
 internal sealed class NumberShape(decimal min, decimal max, string unit, bool isWhole = false) : FileShape
 {
+    /// <summary>Largest number that is taken.</summary>
+    public decimal Most => max;
+
     public override string Words => min == max ? FormattableString.Invariant($"{min}") : FormattableString.Invariant(
         $"a {(isWhole ? "whole " : "")}number from {min} to {max}{(unit.Length == 0 ? "" : $" {unit}")}");
 

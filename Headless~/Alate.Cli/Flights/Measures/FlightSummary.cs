@@ -13,6 +13,7 @@ internal sealed class FlightSummary
         LiftOverWeight = math.dot(MeanForce, flight.Plan.UpOfBody) / (flight.Wings[0].Wing.Preset.Size.insectMass * EarthGravity.Precise);
         NewtonIterationsMean = flight.Wings.SelectMany(wing => wing.Frames).Average(frame => frame.NewtonIterations);
         Resets = flight.Wings.Sum(wing => wing.Resets);
+        Plausibility = Plausibility.Of(flight);
         Triangles = flight.Wings.Sum(wing => wing.Triangles.Length / 3);
     }
 
@@ -44,6 +45,9 @@ internal sealed class FlightSummary
     public double NewtonIterationsMean { get; }
 
     public int Resets { get; }
+
+    /// <summary>Groups of the insect's numbers beside those of real ones.</summary>
+    public Plausibility Plausibility { get; }
 
     /// <summary>Triangles of all wings.</summary>
     public int Triangles { get; }

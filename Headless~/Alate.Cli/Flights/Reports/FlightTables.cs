@@ -28,8 +28,7 @@ internal static class FlightTables
             terminal.Lines.Profile.Out.Writer.WriteLine(
                 $"† {bound.Title} is outside the usual {bound.RangeOf(flight.Plan.Variant)} ({bound.Source}).");
         }
-        foreach (string doubt in UnitDoubts.Of(summary))
-            terminal.Lines.Profile.Out.Writer.WriteLine(doubt); // not wrapped
+        terminal.ShowPlausibility("Beside real insects:", summary.Plausibility);
         if (summary.IsOverstretched)
             terminal.Lines.Profile.Out.Writer.WriteLine(Overstretched(summary)); // not wrapped
         terminal.ShowFiles(folder, files);

@@ -23,10 +23,7 @@ internal static class SummaryJson
         Number(json, "beats", summary.Flight.Beats);
         Number(json, "seconds", summary.Flight.Seconds);
         WriteOtherWings(json, summary);
-        json.WriteStartArray("doubts");
-        foreach (string doubt in UnitDoubts.Of(summary))
-            json.WriteStringValue(doubt);
-        json.WriteEndArray();
+        PlausibilityJson.Write(json, summary.Plausibility);
         WriteOptions(json, summary.Flight);
         json.WriteEndObject();
         json.Flush();
@@ -119,7 +116,7 @@ internal static class SummaryJson
     }
 
     // Six significant digits: more are noise of single precision.
-    private static void Number(Utf8JsonWriter json, string key, double value)
+    internal static void Number(Utf8JsonWriter json, string key, double value)
     {
         json.WritePropertyName(key);
         WriteNumber(json, value);

@@ -28,6 +28,9 @@ internal sealed class RecordedWing
     /// <summary>Hertz.</summary>
     public float Frequency { get; set; }
 
+    /// <summary>Flap that the beat drives, radians from end to end.</summary>
+    public float Flap { get; init; }
+
     /// <summary>Number of times the wing fell back to its driven pose.</summary>
     public int Resets { get; set; }
 

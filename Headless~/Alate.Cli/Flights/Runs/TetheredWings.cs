@@ -93,6 +93,7 @@ internal sealed class TetheredWings : IDisposable
                 World.Reset(m_Handles[^1]);
             }
 
+            WingReading start = World.Read(m_Handles[^1]);
             m_Frames.Add(rig.Frame);
             m_Wings.Add(new RecordedWing
             {
@@ -104,12 +105,28 @@ internal sealed class TetheredWings : IDisposable
                 Triangles = wing.Surface.triangles,
                 ChainCount = rig.ChainCount,
                 JointsPerChain = rig.JointsPerChain,
-                Stiffness = WingStiffness.Of(rig, World.Read(m_Handles[^1]), wing.Preset.Size),
+                Stiffness = WingStiffness.Of(rig, start, wing.Preset.Size),
+                Frequency = start.Frequency,
+                Flap = wing.Preset.Kinematics.prescribed ? FlapOf(wing.Preset.Kinematics.flap) : 2f * start.Amplitude.x,
                 IsMeshMirrored = rig.Frame.mirrored,
             });
         }
 
         rig.Release();
+    }
+
+    // From end to end.
+    private static float FlapOf(in AngleSeries prescribed)
+    {
+        const int k_Places = 360;
+        float least = float.MaxValue, most = float.MinValue;
+        for (int k = 0; k < k_Places; k++)
+        {
+            float angle = prescribed.At((float)k / k_Places);
+            (least, most) = (math.min(least, angle), math.max(most, angle));
+        }
+
+        return math.radians(most - least);
     }
 
     private WingRig Bake(InsectWing wing)

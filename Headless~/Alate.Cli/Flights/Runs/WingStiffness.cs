@@ -14,25 +14,33 @@ internal sealed record WingStiffness(double[] Chains, double Usual)
     /// <summary>Of all chains side by side.</summary>
     public double Whole => Chains.Sum();
 
+    /// <summary>
+    /// Torsional stiffness of all chains side by side: GJ of the uniform rods that a moment on the tip twists as far, N·m².
+    /// </summary>
+    public double Torsional { get; init; }
+
     /// <summary>Reads it from a wing's joints.</summary>
     public static WingStiffness Of(WingRig rig, in WingReading reading, in PresetSize size)
     {
         double unit = (double)size.wingMass * size.wingLength * size.wingLength * size.wingLength;
         int joints = rig.JointsPerChain;
         double[] chains = new double[rig.ChainCount];
+        double torsional = 0;
         for (int i = 0; i < chains.Length; i++)
         {
-            double beyond = 0, compliance = 0;
+            double beyond = 0, compliance = 0, twist = 0;
             for (int j = joints - 2; j >= 0; j--)
             {
                 beyond += math.distance(rig.RestJoints[i * joints + j], rig.RestJoints[i * joints + j + 1]);
                 compliance += beyond * beyond / reading.JointStiffness(i, j).x;
+                twist += 1 / reading.JointStiffness(i, j).y;
             }
 
             chains[i] = unit * beyond * beyond * beyond / (3 * compliance);
+            torsional += unit * beyond / twist;
         }
 
-        return new WingStiffness(chains, UsualOf(size.wingLength));
+        return new WingStiffness(chains, UsualOf(size.wingLength)) { Torsional = torsional };
     }
 
     /// <summary>
