@@ -8,7 +8,7 @@ const folder = process.argv[2], load = (name) => import(pathToFileURL(join(folde
 const bytes = readFileSync(join(folder, 'state.bin')), told = JSON.parse(readFileSync(join(folder, 'state.json'), 'utf8'));
 const { MAGIC, blend, colours, decode, floats, magicOf, wholes } = await load('format.js');
 const { Arrows, heat, ramps } = await load('overlays.js');
-const { Chart } = await load('chart.js');
+const { Chart, slopesOf, ticks } = await load('chart.js');
 const buffer = () => bytes.buffer.slice(bytes.byteOffset, bytes.byteOffset + bytes.byteLength);
 
 function near(value, wanted, what, within = 1e-5) {
@@ -119,17 +119,50 @@ const cases = {
     near(chart.points.length, 31, 'three beats are kept');
     near(chart.points.at(-1).at, 5, 'beats');
     chart.draw();
-    const line = (name) => drawn.filter(([what, style]) => (what === 'lineTo' || what === 'moveTo') && style === `--${name}`).map(([, , x, y]) => [x, y]);
+    const line = (name) => drawn.filter(([what, style]) => (what === 'bezierCurveTo' || what === 'moveTo') && style === `--${name}`).map((call) => call.slice(-2));
     const lift = line('lift'), drag = line('drag');
     near(lift.length, 31, 'lift is drawn');
     if (!(lift.at(-1)[1] < lift[0][1] && lift[0][1] < drag[0][1]))
       throw new Error('more lift lies higher, and the drag below');
     if (!(lift[0][0] < lift.at(-1)[0]))
       throw new Error('time goes to the right');
-    near(lift.at(-1)[1], 6, 'two weights at the top of a chart from -1 to 2');
-    near(drag[0][1], 6 + 88 * 2.5 / 3, 'and minus a half above its bottom');
+    near(lift.at(-1)[1], 8, 'two weights at the top of a chart from -1 to 2');
+    near(drag[0][1], 8 + 58 * 2.5 / 3, 'and minus a half above its bottom');
+    const texts = drawn.filter(([what]) => what === 'fillText').map(([, , text]) => text);
+    for (const text of ['−1 ×', '0 ×', '2 ×', '−3', '−1', 'now', 'beats'])
+      near(texts.filter((one) => one === text).length, 1, `marks with ${text}`);
+    chart.add({ beats: 5, phase: 0, lift: 9, drag: 9 });
+    near(chart.points.length, 31, 'a flight that stands still adds nothing');
+    chart.points = Array.from({ length: 7 }, (_, k) => ({ at: 0.4 * k, lift: 0, drag: 0 }));
+    drawn.length = 0;
+    chart.draw();
+    near(line('lift').length, 0, 'too few states of a beat are no curve');
     chart.add({ beats: 0, phase: 0, lift: 0, drag: 0 });
     near(chart.points.length, 1, 'a flight that begins again begins a chart');
+  },
+
+  // Through each point, and between two never beyond them, so that no peak is drawn that was not there.
+  slopes() {
+    const points = [[0, 0], [1, 1], [2, 1], [4, 5], [5, 5.5], [6, 0]], slopes = slopesOf(points);
+    points.slice(1).forEach(([x, y], k) => {
+      const [px, py] = points[k], width = x - px, chord = (y - py) / width;
+      for (let t = 0; t <= 1; t += 0.05) {
+        const value = py * (1 - t) ** 3 + 3 * (py + width / 3 * slopes[k]) * t * (1 - t) ** 2 + 3 * (y - width / 3 * slopes[k + 1]) * t ** 2 * (1 - t) + y * t ** 3;
+        if (value < Math.min(y, py) - 1e-9 || value > Math.max(y, py) + 1e-9)
+          throw new Error(`${value} between ${py} and ${y}, of slope ${chord}`);
+      }
+    });
+    all(slopesOf([[0, 1], [1, 3], [4, 9]]), [2, 2, 2], 'a straight line stays one');
+  },
+
+  ticks() {
+    for (const [least, largest, most] of [[-0.3, 2.2, 6], [0, 1, 4], [-12, 37, 6], [-0.02, 1, 4], [-1, 2, 6], [0, 140, 5]]) {
+      const marks = ticks(least, largest, most), step = marks[1] - marks[0];
+      if (!(marks[0] <= least && marks.at(-1) >= largest && marks.length <= most && marks[1] > least && marks.at(-2) < largest))
+        throw new Error(`${marks} for ${least} to ${largest}`);
+      marks.forEach((mark, k) => near(mark, marks[0] + k * step, 'even steps', 1e-6));
+      near([1, 2, 5].some((digit) => Math.abs(Math.log10(step / digit) % 1) < 1e-9), true, `a round step: ${step}`);
+    }
   },
 
   async arrows() {

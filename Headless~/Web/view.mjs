@@ -1,31 +1,16 @@
 // Loads the live view in Chromium and tries what a person would. Prints one line a case: "ok NAME" or "not ok NAME: reason".
 //   node view.mjs ADDRESS CHROMIUM FOLDER CASE...
-import { chromium } from 'playwright-core';
+import * as browse from './browse.mjs';
+import { check } from './browse.mjs';
 import { readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 
 const [address, executablePath, folder, ...wanted] = process.argv.slice(2);
-const browser = await chromium.launch({ executablePath, args: ['--no-sandbox', '--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--enable-precise-memory-info', '--js-flags=--expose-gc'] });
-const problems = [];
-const page = await open({ width: 480, height: 360 });
+const browser = await browse.launch(executablePath, '--enable-precise-memory-info', '--js-flags=--expose-gc');
+const problems = [], page = await open({ width: 480, height: 360 });
 
-async function open(viewport) {
-  const made = await browser.newPage({ viewport });
-  made.on('console', (message) => message.type() === 'error' && !isRefused(message.text()) && problems.push(message.text()));
-  made.on('pageerror', (problem) => problems.push(problem.message));
-  await made.goto(address);
-  await made.waitForFunction(() => window.alate?.stage.columns.length > 0 && window.alate.state, null, { timeout: 90000 });
-  return made;
-}
-
-// What the browser itself says while the server is away.
-function isRefused(text) {
-  return text.includes('WebSocket connection') || text.includes('ERR_CONNECTION');
-}
-
-function check(holds, what) {
-  if (!holds)
-    throw new Error(what);
+function open(viewport) {
+  return browse.open(browser, address, problems, { viewport });
 }
 
 const state = () => page.evaluate(() => {
@@ -80,15 +65,8 @@ async function painted() {
   });
 }
 
-async function drop(name, bytes) {
-  await page.evaluate(([title, content]) => {
-    const data = new DataTransfer();
-    data.items.add(new File([new Uint8Array(content)], title));
-    dispatchEvent(new DragEvent('drop', { dataTransfer: data, bubbles: true, cancelable: true }));
-  }, [name, [...bytes]]);
-}
-
-const line = () => page.evaluate(() => document.getElementById('line').hidden ? '' : document.getElementById('line').textContent);
+const drop = (name, bytes) => browse.drop(page, [name, bytes]);
+const line = () => browse.line(page);
 
 const cases = {
   async beats() {
@@ -333,20 +311,6 @@ const cases = {
   },
 };
 
-let bad = 0;
-for (const name of wanted) {
-  try {
-    await cases[name]();
-    console.log(`ok ${name}`);
-  } catch (problem) {
-    bad++;
-    console.log(`not ok ${name}: ${problem.message.split('\n')[0]}`);
-    await page.screenshot({ path: join(folder, `${name}.png`) }).catch(() => { });
-  }
-}
-for (const problem of problems) {
-  bad++;
-  console.log(`not ok console: ${problem}`);
-}
+const bad = await browse.run(cases, wanted, { problems, folder, page });
 await browser.close();
 process.exit(bad > 0 ? 1 : 0);

@@ -52,6 +52,31 @@ public sealed class LiveFlightTests
     }
 
     [Test]
+    public void Lift_GoesInStraightLines_FromSubstepToSubstep()
+    {
+        var plan = FlightPlan.Cruise(InsectCatalogue.Find("monarch"), InsectVariant.Standard);
+        using var flight = new LiveFlight(plan, Insect.Of(plan));
+        double substep = 1.0 / (flight.Frequency * flight.Wings[0].Parameters.substepsPerBeat);
+        flight.Advance(3.75 * substep);
+        float changed = 0f;
+        for (int k = 0; k < 20; k++)
+        {
+            float[] lift = new float[4];
+            for (int quarter = 0; quarter < 4; quarter++)
+            {
+                flight.Advance(0.25 * substep);
+                lift[quarter] = Read(flight).Lift[0];
+            }
+
+            Assert.That(lift[2] - lift[1], Is.EqualTo(lift[1] - lift[0]).Within(1e-3f));
+            Assert.That(lift[3] - lift[2], Is.EqualTo(lift[1] - lift[0]).Within(1e-3f));
+            changed = math.max(changed, math.abs(lift[1] - lift[0]));
+        }
+
+        Assert.That(changed, Is.GreaterThan(0.01f), "weights");
+    }
+
+    [Test]
     public void Loads_AreTheForce_LiftIsUp_DragToTheRear_InWeights()
     {
         FlightPlan plan = FlightPlan.Cruise(InsectCatalogue.Find("monarch"), InsectVariant.Standard) with { Wind = [0, 0, -3] };

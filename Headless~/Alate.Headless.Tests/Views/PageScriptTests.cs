@@ -35,7 +35,7 @@ public sealed class PageScriptTests : ViewFixture
         (int code, string output) = WebTools.Run("page.mjs", folder.Root).GetAwaiter().GetResult();
 
         Assert.That(code, Is.Zero, output);
-        Assert.That(output.Split('\n').Count(line => line.StartsWith("ok ")), Is.EqualTo(7), output);
+        Assert.That(output.Split('\n').Count(line => line.StartsWith("ok ")), Is.EqualTo(9), output);
     }
 
     private static string Told(ViewState state) => JsonSerializer.Serialize(new

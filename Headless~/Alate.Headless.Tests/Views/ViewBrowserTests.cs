@@ -35,20 +35,23 @@ namespace Alate.Tests.Views
 
         [Test]
         public void Page_DoesWhatItSays() => Try(
-            "beats", "rate", "slow", "speed", "wind", "amplitude", "frequency", "elasticity", "delay", "substeps", "pause", "comparison",
-            "overlays", "wake", "species", "files",
-            "badFiles", "phone", "reconnect");
+            "view.mjs", "beats", "rate", "slow", "speed", "wind", "amplitude", "frequency", "elasticity", "delay", "substeps", "pause",
+            "comparison", "overlays", "wake", "species", "files", "badFiles", "phone", "reconnect");
 
         [Test]
-        public void AMinute_TakesNoMoreMemory() => Try("memory");
+        public void AMinute_TakesNoMoreMemory() => Try("view.mjs", "memory");
+
+        [Test]
+        public void Page_IsForThoseToo_WhoSeeLittle_UseKeys_OrHoldAPhone() =>
+            Try("access.mjs", "axe", "overflow", "contrast", "keyboard", "sliders", "errors");
 
         // Serves until the script has ended; where it asks for it, stops and starts anew at the same port.
-        private void Try(params string[] cases)
+        private void Try(string script, params string[] cases)
         {
             ViewServer server = Start(0);
             Uri address = server.Address;
             Task<(int Code, string Output)> run = Task.Run(
-                () => WebTools.Run("view.mjs", [address.ToString(), WebTools.Chromium, m_Folder.Root, .. cases]));
+                () => WebTools.Run(script, [address.ToString(), WebTools.Chromium, m_Folder.Root, .. cases]));
             server.Simulation.RunUntil(Task.WhenAny(run, Appears("stop")));
             if (!run.IsCompleted)
             {

@@ -1,20 +1,15 @@
 import { Baked } from './baked.js';
 import { Chart } from './chart.js';
+import * as keys from './keys.js';
 import { Live } from './live.js';
+import * as message from './message.js';
+import { say } from './message.js';
 import { ramps, wake } from './overlays.js';
 import { Panel } from './panel.js';
+import { isDark } from './theme.js';
 
 const get = (id) => document.getElementById(id), isLive = document.documentElement.dataset.mode === 'live';
 const LARGEST = 16 * 1024 * 1024;
-
-function say(text, kind = '') {
-  get('line').hidden = !text;
-  get('line').textContent = text ?? '';
-  get('line').className = kind;
-  clearTimeout(say.timer);
-  if (kind.includes('note'))
-    say.timer = setTimeout(() => { get('line').hidden = true; }, 9000);
-}
 
 async function load() {
   try {
@@ -106,12 +101,17 @@ if (stage) {
     },
   };
   const panel = new Panel(actions);
+  keys.listen(get('canvas'), stage, () => actions.set({ paused: !panel.settings?.paused }));
+  message.listen();
+  stage.dress(isDark());
+  addEventListener('theme', () => stage.dress(isDark()));
 
   const listener = {
     hello: (hello) => panel.hello(hello),
     scene: async (scene) => {
       document.title = `${scene.title} – Alate`;
       get('title').textContent = scene.title;
+      get('canvas').setAttribute('aria-label', `${scene.title} in flight`);
       get('catalogue').hidden = !scene.remark;
       say(scene.remark, 'note');
       panel.show(scene.settings);
@@ -124,7 +124,10 @@ if (stage) {
       if (latest)
         stage.setState(latest);
     },
-    settings: (settings) => panel.show(settings),
+    settings: (settings) => {
+      message.answered();
+      panel.show(settings);
+    },
     state: (state) => {
       latest = state;
       counted++;
@@ -161,6 +164,8 @@ if (stage) {
     const column = latest?.columns[full];
     if (column)
       get('readout').replaceChildren(...readout(column));
+    if (shown.has('chart'))
+      get('curves').setAttribute('aria-label', chart.summary());
     legend(stage.shown.field, latest);
   }, 1000);
   addEventListener('resize', () => place(stage));

@@ -1,4 +1,8 @@
+import { toggle } from './theme.js';
+
 // The controls beside the picture. They show what the simulation says it does; nothing is kept here.
+// Units as they are read aloud.
+const spoken = { '×': 'times the insect\'s own', '× time': 'times your time', 'm/s': 'metres a second' };
 const get = (id) => document.getElementById(id);
 
 export class Panel {
@@ -17,10 +21,7 @@ export class Panel {
       event.target.value = '';
     };
     get('fold').onclick = () => get('fold').setAttribute('aria-expanded', get('fold').getAttribute('aria-expanded') !== 'true');
-    get('theme').onclick = () => {
-      const root = document.documentElement, dark = root.dataset.theme ? root.dataset.theme === 'dark' : matchMedia('(prefers-color-scheme: dark)').matches;
-      root.dataset.theme = dark ? 'light' : 'dark';
-    };
+    get('theme').onclick = toggle;
     for (const button of get('overlays').children)
       button.onclick = () => actions.show(button.dataset.show, button.getAttribute('aria-pressed') !== 'true');
     this.takeDrops();
@@ -55,7 +56,10 @@ export class Panel {
     const { min, max } = slider, ratio = max / min;
     const value = (share) => slider.logarithmic ? min * ratio ** share : min + share * (max - min);
     const share = (number) => slider.logarithmic ? Math.log(number / min) / Math.log(ratio) : (number - min) / (max - min);
-    const show = (number) => { output.textContent = `${text(number, slider.whole)} ${slider.unit}`; };
+    const show = (number) => {
+      output.textContent = `${text(number, slider.whole)} ${slider.unit}`.trim();
+      input.setAttribute('aria-valuetext', `${text(number, slider.whole)} ${spoken[slider.unit] ?? slider.unit}`.trim());
+    };
     input.oninput = () => {
       const number = slider.whole ? Math.round(value(Number(input.value))) : Number(value(Number(input.value)).toPrecision(3));
       show(number);

@@ -20,7 +20,10 @@ export class Stage {
     this.scene.add(new THREE.HemisphereLight(0xffffff, 0xb9ad98, 1.7));
     const key = new THREE.DirectionalLight(0xfff4e4, 2.0);
     key.position.set(-1.2, 2.2, 1.6);
-    this.camera.add(key);
+    // From behind, it parts a dark body from a dark ground.
+    this.rim = new THREE.DirectionalLight(0xdfe8ff, 0);
+    this.rim.position.set(1.6, 1.4, -2.4);
+    this.camera.add(key, this.rim);
     this.scene.add(this.camera);
     this.columns = [];
     this.shown = { field: null, skeleton: false, loads: false, forces: false };
@@ -35,6 +38,30 @@ export class Stage {
     this.controls.update();
   }
 
+  // Turns the camera about the insect, radians.
+  turn(aside, above) {
+    const { three: THREE, camera } = this, at = new THREE.Spherical().setFromVector3(camera.position);
+    at.theta += aside;
+    at.phi = Math.min(Math.max(at.phi - above, 0.02), Math.PI - 0.02);
+    camera.position.setFromSpherical(at);
+    this.controls.update();
+  }
+
+  // Changes the camera's distance by a factor.
+  approach(factor) {
+    const { minDistance, maxDistance } = this.controls;
+    this.camera.position.setLength(Math.min(Math.max(this.camera.position.length() * factor, minDistance), maxDistance));
+    this.controls.update();
+  }
+
+  // Light and outlines for a light ground or a dark one.
+  dress(isDark) {
+    this.outline = isDark ? 0xf4f1ea : 0x2c2a26;
+    this.rim.intensity = isDark ? 2.5 : 0;
+    this.columns.forEach((column) => column.wings.forEach((wing) => wing.rim.material.color.set(this.outline)));
+    this.isOld = true;
+  }
+
   async setScene(scene) {
     const { three: THREE } = this;
     const ticket = this.ticket = {};
@@ -47,13 +74,13 @@ export class Stage {
       const group = new THREE.Group();
       group.scale.setScalar(1 / scene.reach);
       group.add(this.body(scene.body));
-      const wings = scene.wings.map((wing) => this.wing(wing, textures[wing.texture]));
+      const wings = scene.wings.map((wing) => this.wing(wing, textures[wing.texture], Boolean(scene.own)));
       const skeleton = new THREE.LineSegments(new THREE.BufferGeometry(), new THREE.LineBasicMaterial({ color: 0xe4572e, depthTest: false, transparent: true }));
       skeleton.renderOrder = 5;
       skeleton.geometry.setAttribute('position', new THREE.BufferAttribute(new Float32Array(scene.wings.reduce((sum, wing) => sum + 6 * bones(wing), 0)), 3));
       const loads = new Arrows(THREE, scene.wings.reduce((sum, wing) => sum + wing.chains * wing.joints, 0), 0x7a3fd0, 0.014 * scene.reach);
       const forces = [new Arrows(THREE, 1, 0x0b7fc2, 0.03 * scene.reach), new Arrows(THREE, 1, 0xd9480f, 0.03 * scene.reach)];
-      group.add(...wings.map((wing) => wing.mesh), skeleton, loads.object, ...forces.map((arrow) => arrow.object));
+      group.add(...wings.flatMap((wing) => [wing.mesh, wing.rim]), skeleton, loads.object, ...forces.map((arrow) => arrow.object));
       group.traverse((part) => { part.frustumCulled = false; });
       this.scene.add(group);
       this.columns.push({ group, wings, skeleton, loads, forces, sheets: [], title: column.title });
@@ -81,7 +108,7 @@ export class Stage {
     return new THREE.Mesh(geometry, new THREE.MeshStandardMaterial({ vertexColors: true, roughness: 0.62, transparent: true }));
   }
 
-  wing(wing, texture) {
+  wing(wing, texture, isOwn) {
     const { three: THREE } = this, geometry = new THREE.BufferGeometry();
     geometry.setIndex(new THREE.BufferAttribute(wholes(wing.triangles), 1));
     if (wing.uvs)
@@ -94,9 +121,11 @@ export class Stage {
     else if (painted)
       material.vertexColors = true;
     else
-      Object.assign(material, { color: new THREE.Color(0.84, 0.79, 0.66), emissive: new THREE.Color(0.12, 0.11, 0.09) });
+      Object.assign(material, { color: new THREE.Color(0.50, 0.27, 0.07), emissive: new THREE.Color(0.07, 0.04, 0.01) });
     const plain = new THREE.MeshStandardMaterial({ side: THREE.DoubleSide, roughness: 0.8, vertexColors: true });
-    return { ...wing, geometry, mesh: new THREE.Mesh(geometry, material), material, plain, painted, count: 0 };
+    const rim = new THREE.LineSegments(new THREE.BufferGeometry(), new THREE.LineBasicMaterial({ color: this.outline }));
+    rim.geometry.setIndex(new THREE.BufferAttribute(rimOf(wholes(wing.triangles)), 1));
+    return { ...wing, geometry, mesh: new THREE.Mesh(geometry, material), rim, isOwn, material, plain, painted, count: 0 };
   }
 
   setState(state) {
@@ -123,6 +152,9 @@ export class Stage {
         geometry.setAttribute('color', new THREE.BufferAttribute(wing.painted ?? new Float32Array(4 * state.vertices).fill(1), 4));
       }
       wing.mesh.scale.setScalar(state.reach);
+      wing.rim.scale.setScalar(state.reach);
+      wing.rim.geometry.setAttribute('position', geometry.getAttribute('position'));
+      wing.rim.visible = wing.isOwn || Boolean(shown.field);
       geometry.getAttribute('position').array.set(state.places);
       geometry.getAttribute('position').needsUpdate = true;
       geometry.getAttribute('normal').array.set(state.normals);
@@ -242,6 +274,16 @@ export class Stage {
     });
     this.columns = [];
   }
+}
+
+// Edges of one triangle alone, in pairs of vertices: the outline, where the mesh is not cut along a seam.
+export function rimOf(triangles) {
+  const edges = new Map();
+  for (let k = 0; k < triangles.length; k++) {
+    const a = triangles[k], b = triangles[k % 3 === 2 ? k - 2 : k + 1], key = Math.min(a, b) * 4294967296 + Math.max(a, b);
+    edges.set(key, edges.has(key) ? null : [a, b]);
+  }
+  return Uint32Array.from([...edges.values()].filter(Boolean).flat());
 }
 
 function bones(wing) {

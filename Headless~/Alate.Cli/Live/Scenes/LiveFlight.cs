@@ -17,7 +17,7 @@ internal sealed class LiveFlight : IDisposable
     private readonly TetheredWings m_Wings;
     private readonly WingFields[] m_Fields;
     private readonly float3[][] m_Positions;
-    private readonly float3[] m_Forces;
+    private readonly float3[] m_Forces, m_Before;
     private double m_Stepped, m_Last;
     private int m_Pieces;
     private FlightPlan m_Plan;
@@ -32,6 +32,7 @@ internal sealed class LiveFlight : IDisposable
         m_Fields = m_Wings.All.Select(wing => new WingFields(wing)).ToArray();
         m_Positions = m_Wings.All.Select(wing => new float3[wing.Rest.Length]).ToArray();
         m_Forces = new float3[m_Positions.Length];
+        m_Before = new float3[m_Positions.Length];
     }
 
     public IReadOnlyList<RecordedWing> Wings => m_Wings.All;
@@ -118,6 +119,8 @@ internal sealed class LiveFlight : IDisposable
     private void Step(int count, double substep)
     {
         int longest = m_Wake == null ? count : Math.Max((int)(k_LongestPiece * Wings[0].Parameters.substepsPerBeat), 1);
+        bool isFirst = m_Stepped == 0.0;
+        m_Forces.CopyTo(m_Before, 0);
         Array.Clear(m_Forces);
         m_Pieces = 0;
         for (int done = 0; done < count; m_Pieces++)
@@ -132,9 +135,13 @@ internal sealed class LiveFlight : IDisposable
             WingReading first = m_Wings.Read(0);
             m_Wake?.Follow(first.Beats + first.Phase / (2.0 * Math.PI), m_Last, first.Frequency);
         }
+
+        if (isFirst)
+            m_Forces.CopyTo(m_Before, 0);
     }
 
-    private float3 AirForce(int wing) => m_Pieces > 1 ? m_Forces[wing] : m_Wings.Read(wing).AirForce;
+    // Between the last two steps, as what is drawn; what was stepped in pieces has one mean.
+    private float3 AirForce(int wing) => m_Pieces > 1 ? m_Forces[wing] : math.lerp(m_Before[wing], m_Forces[wing], Alpha);
 
     // On the body, over the insect's weight.
     private float3 Force(int wing, float3 force)

@@ -56,6 +56,7 @@ internal static class SceneMessage
             ["name"] = insect.Name,
             ["title"] = insect.DisplayName,
             ["remark"] = remark,
+            ["own"] = remark.Length > 0,
             ["reach"] = Math.Max(wings.Max(wing => math.length(wing.Placement.Hinge) + wing.Placement.Length),
             insect.Body.positions.Max(place => math.length(place))),
             ["settings"] = Settings(settings),
