@@ -67,6 +67,31 @@ const contrast = (shown, part) => shown.evaluate((name) => {
 }, part);
 
 const cases = {
+  // Chromium finds no other name, and the page asks for none.
+  async offline() {
+    const alone = await browse.launch(executablePath, '--host-resolver-rules=MAP * ~NOTFOUND, EXCLUDE 127.0.0.1'), asked = [];
+    const context = await alone.newContext();
+    context.on('request', (request) => asked.push(request.url()));
+    const shown = await browse.open(context, address, problems);
+    shown.on('websocket', (socket) => asked.push(socket.url()));
+    for (const name of ['compare', 'chart', 'strain', 'wake'])
+      await shown.click(`[data-show=${name}]`);
+    await shown.selectOption('#species', 'dragonfly');
+    await wait(shown, () => alate.scene?.name === 'dragonfly' && alate.stage.columns.length === 4);
+    const others = asked.filter((url) => !url.startsWith(address) && !url.startsWith(address.replace('http', 'ws')) && !/^(blob|data):/.test(url));
+    check(asked.length > 8 && asked.some((url) => url.includes('three')) && others.length === 0, `${asked.length} requests; to others: ${others}`);
+    await alone.close();
+  },
+  // Where three.js is on no disk and the public server cannot be reached.
+  async withoutThree() {
+    const shown = await browser.newPage({ viewport: sizes.desktop });
+    await shown.route('**/three/**', (route) => route.abort());
+    await shown.goto(address);
+    await wait(shown, () => !document.getElementById('line').hidden);
+    const said = await browse.line(shown);
+    check(said.includes('npm ci --prefix Headless~/Web') && said.includes('-- view'), said);
+    await shown.close();
+  },
   async axe() {
     await everywhere(async (shown, where) => {
       await violations(shown, where);

@@ -1,9 +1,10 @@
-// Loads a static site in Chromium, from files at an address of its own. Prints "ok NAME" or "not ok NAME: reason".
+// Loads a static site in Chromium, as a file and from an address of its own. Prints "ok NAME" or "not ok NAME: reason".
 //   node site.mjs CHROMIUM SITE
 import * as browse from './browse.mjs';
 import { check } from './browse.mjs';
 import { existsSync, readFileSync } from 'node:fs';
 import { extname, join } from 'node:path';
+import { pathToFileURL } from 'node:url';
 
 const [executablePath, site] = process.argv.slice(2), base = 'http://site.test/some/where/';
 const types = { '.html': 'text/html', '.js': 'text/javascript', '.css': 'text/css', '.svg': 'image/svg+xml', '.json': 'application/json' };
@@ -19,6 +20,14 @@ await page.route('http://site.test/**', (route) => {
 const wait = (test, what) => page.waitForFunction(test, what, { timeout: 60000 });
 
 const cases = {
+  async asAFile() {
+    const file = await browser.newPage();
+    await file.goto(pathToFileURL(join(site, 'index.html')).href);
+    await file.waitForFunction(() => !document.getElementById('line').hidden, null, { timeout: 20000 });
+    const said = await browse.line(file);
+    check(said.includes('web server') && said.includes(`http.server -d "${site}`), said);
+    await file.close();
+  },
   async loads() {
     await page.goto(base);
     await wait(() => window.alate?.stage.columns.length > 0 && window.alate.state);

@@ -23,7 +23,7 @@ internal static class SiteCommand
         command.SetAction(parsed =>
         {
             List<InsectDefinition> insects = KnownSpecies.FindAny(parsed.GetValue(species), InsectVariant.Standard);
-            ThreeSource source = parsed.GetValue(three) is string own ? ThreeSource.Of(own) : ThreeSource.Public;
+            ThreeSource source = parsed.GetValue(three) is string own ? ThreeSource.Of(own) : ThreeSource.Find();
             Run(parsed.GetValue(folder), insects, source, output);
             return 0;
         });
@@ -85,10 +85,10 @@ internal static class SiteCommand
     private const string k_Examples =
         "Examples:\n"
         + "  site gallery\n"
-        + "  site gallery monarch fishfly --three node_modules/three\n\n"
+        + "  site gallery monarch fishfly --three /opt/three\n\n"
         + "Writes into the folder:\n"
         + "  index.html     the page, with its scripts and styles\n"
         + "  insects/       a settled beat of every variant, and of the columns of 'compare'\n"
-        + "  three/         three.js, with --three; else the page loads it from a public server\n\n"
+        + "  three/         three.js, where it was found; else the page loads it from a public server\n\n"
         + "Exit code: 0 when all is written, 2 for bad usage or input (nothing is written then).\n";
 }

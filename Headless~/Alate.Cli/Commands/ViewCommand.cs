@@ -31,7 +31,7 @@ internal static class ViewCommand
         {
             InsectVariant shown = parsed.GetValue(variant) ?? InsectVariant.Standard;
             InsectDefinition insect = KnownSpecies.Find(parsed.GetValue(species) ?? k_First, shown);
-            ThreeSource source = parsed.GetValue(three) is string folder ? ThreeSource.Of(folder) : ThreeSource.Public;
+            ThreeSource source = parsed.GetValue(three) is string folder ? ThreeSource.Of(folder) : ThreeSource.Find();
             Serve(insect, shown, parsed.GetValue(port) ?? ViewServer.DefaultPort, source, !parsed.GetValue(silent), output);
             return 0;
         });
@@ -42,8 +42,7 @@ internal static class ViewCommand
     public static Option<string> Three() => new("--three")
     {
         HelpName = "DIR",
-        Description = $"A folder with three.js {ThreeSource.Version}, such as node_modules/three, for machines without a network. "
-            + "[default: a public server]",
+        Description = $"A folder with three.js {ThreeSource.Version}. [default: found by itself, else a public server]",
     };
 
     private static void Serve(InsectDefinition insect, InsectVariant variant, int port, ThreeSource three, bool opens, TextWriter output)
@@ -73,7 +72,7 @@ internal static class ViewCommand
         "Examples:\n"
         + "  view\n"
         + "  view firefly --variant expressive --port 8080\n"
-        + "  view --three node_modules/three\n\n"
+        + "  view --three /opt/three\n\n"
         + "The page has all species and variants, sliders, the columns of 'compare', and overlays: skeleton, loads, angle of attack, "
         + "stretch, lift and\n"
         + "drag. A wing of your own (OBJ or PNG) flies when it is dropped on the page; its beat can be saved as GLB.\n\n"

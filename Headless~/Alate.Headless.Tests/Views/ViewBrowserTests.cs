@@ -43,7 +43,7 @@ namespace Alate.Tests.Views
 
         [Test]
         public void Page_IsForThoseToo_WhoSeeLittle_UseKeys_OrHoldAPhone() =>
-            Try("access.mjs", "axe", "overflow", "contrast", "keyboard", "sliders", "errors");
+            Try("access.mjs", "offline", "withoutThree", "axe", "overflow", "contrast", "keyboard", "sliders", "errors");
 
         // Serves until the script has ended; where it asks for it, stops and starts anew at the same port.
         private void Try(string script, params string[] cases)
@@ -79,7 +79,7 @@ namespace Alate.Tests.Views
         }
 
         private static ViewServer Start(int port) =>
-            ViewServer.Start(InsectCatalogue.Find("monarch"), InsectVariant.Standard, port, ThreeSource.Of(WebTools.Three))
+            ViewServer.Start(InsectCatalogue.Find("monarch"), InsectVariant.Standard, port, ThreeSource.Find())
                 .GetAwaiter().GetResult();
     }
 }

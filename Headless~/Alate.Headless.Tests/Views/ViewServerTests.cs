@@ -201,6 +201,32 @@ namespace Alate.Tests.Views
             Assert.That(files.SecurityPolicy, Does.Not.Contain("https"));
         }
 
+        [Test]
+        public void Three_IsFoundInAFolderAbove_WhereItsFilesAreTheKnownOnes()
+        {
+            WebTools.NeedThree();
+            using var folder = new TemporaryFolder();
+            string inner = folder.PathOf("one/two"), three = folder.PathOf("node_modules/three");
+            Directory.CreateDirectory(inner);
+            Assert.That(ThreeSource.Find(inner).IsPublic, Is.True, "there is none yet");
+            foreach (string name in ThreeSource.Hashes.Keys)
+            {
+                Directory.CreateDirectory(Path.GetDirectoryName(Path.Combine(three, name)));
+                File.Copy(Path.Combine(WebTools.Three, name), Path.Combine(three, name));
+            }
+
+            Assert.That(ThreeSource.Find(folder.PathOf("nowhere"), inner).Names, Is.EquivalentTo(ThreeSource.Hashes.Keys));
+            File.AppendAllText(Path.Combine(three, ThreeSource.Hashes.Keys.Last()), "// changed");
+            Assert.That(ThreeSource.Find(inner).IsPublic, Is.True, "files of another version, which nobody named");
+        }
+
+        [Test]
+        public void Three_OfTheCheckout_IsFoundFromTheProgram()
+        {
+            WebTools.NeedThree();
+            Assert.That(ThreeSource.Find(AppContext.BaseDirectory).IsPublic, Is.False);
+        }
+
         private string Host => $"127.0.0.1:{Server.Address.Port}";
 
         private Uri SocketAddress => new Uri($"ws://{Host}/live");

@@ -17,10 +17,18 @@ async function load() {
     const { Stage } = await import('./stage.js');
     return new Stage(THREE, OrbitControls, get('canvas'));
   } catch (problem) {
-    const isMissing = problem instanceof TypeError || problem instanceof SyntaxError;
-    say(isMissing ? 'three.js could not be loaded: there is no network here. Name a folder that has it: --three node_modules/three' : `WebGL 2 is not available in this browser (${problem.message}).`, 'bad');
+    if (problem instanceof TypeError || problem instanceof SyntaxError)
+      tellHowToGetThree();
+    else
+      say(`WebGL 2 is not available in this browser (${problem.message}).`, 'bad');
+    get('status').textContent = 'not loaded';
     return null;
   }
+}
+
+function tellHowToGetThree() {
+  const why = document.querySelector('[type=importmap]').textContent.includes('https:') ? 'there is no network here' : 'its files are gone';
+  say(`three.js could not be loaded: ${why}. Two commands bring it:`, 'bad', ['npm ci --prefix Headless~/Web', `dotnet run -c Release --project Headless~/Alate.Cli -- ${isLive ? 'view' : 'site DIR'}`]);
 }
 
 function labels(scene) {

@@ -1,9 +1,13 @@
 // The line over the picture. It stays until it is answered: by what comes next, its button or the Escape key.
 const get = (id) => document.getElementById(id);
 
-export function say(text, kind = '') {
+export function say(text, kind = '', commands = []) {
   get('line').hidden = !text;
-  get('said').textContent = text ?? '';
+  get('said').replaceChildren(text ?? '', ...commands.map((command) => {
+    const code = document.createElement('code');
+    code.textContent = command;
+    return code;
+  }));
   get('line').className = kind;
   get('dismiss').hidden = !kind.includes('note');
 }

@@ -1,9 +1,10 @@
+using System.Security.Cryptography;
 using System.Text.Json.Nodes;
 
 namespace Alate.Cli;
 
 /// <summary>
-/// Source that the page loads three.js from: a public server, whose files must have the hashes named here, or a folder of the user's.
+/// Source that the page loads three.js from: a folder of the user's, or a public server, whose files must have the hashes named here.
 /// </summary>
 internal sealed class ThreeSource
 {
@@ -42,6 +43,32 @@ internal sealed class ThreeSource
     /// <summary>Files of a folder; none for the public server.</summary>
     public IEnumerable<string> Names => m_Files?.Keys ?? Enumerable.Empty<string>();
 
+    /// <summary>
+    /// The package three of npm in the folder in which the program was started, beside the program, or above one of the two; the public
+    /// server where there is none with these files.
+    /// </summary>
+    public static ThreeSource Find() => Find(Environment.CurrentDirectory, AppContext.BaseDirectory);
+
+    /// <inheritdoc cref="Find()"/>
+    /// <param name="starts">Folders at which the search begins.</param>
+    public static ThreeSource Find(params string[] starts)
+    {
+        foreach (string start in starts)
+        {
+            for (var folder = new DirectoryInfo(start); folder != null; folder = folder.Parent)
+            {
+                foreach (string place in s_Places)
+                {
+                    string three = Path.Combine(folder.FullName, place);
+                    if (IsThree(three))
+                        return Of(three);
+                }
+            }
+        }
+
+        return Public;
+    }
+
     /// <summary>A folder with the package three: its files in their folders, or beside one another.</summary>
     /// <exception cref="UserException">A file is missing.</exception>
     public static ThreeSource Of(string folder)
@@ -70,6 +97,27 @@ internal sealed class ThreeSource
             map["integrity"] = new JsonObject(Hashes.Select(file => KeyValuePair.Create($"{root}/{file.Key}", (JsonNode)file.Value)));
         return map.ToJsonString(s_Plain);
     }
+
+    private static readonly string[] s_Places =
+    [
+        Path.Combine("node_modules", "three"), Path.Combine("Web", "node_modules", "three"),
+        Path.Combine("Headless~", "Web", "node_modules", "three"),
+    ];
+
+    // Nobody named it, so that only the files that are known are taken.
+    private static bool IsThree(string folder)
+    {
+        try
+        {
+            return Hashes.All(file => File.Exists(Path.Combine(folder, file.Key)) && HashOf(Path.Combine(folder, file.Key)) == file.Value);
+        }
+        catch (Exception problem) when (FileProblem.Is(problem))
+        {
+            return false;
+        }
+    }
+
+    private static string HashOf(string path) => "sha384-" + Convert.ToBase64String(SHA384.HashData(File.ReadAllBytes(path)));
 
     private static readonly System.Text.Json.JsonSerializerOptions s_Plain =
         new() { Encoder = System.Text.Encodings.Web.JavaScriptEncoder.UnsafeRelaxedJsonEscaping };
