@@ -264,6 +264,45 @@ const cases = {
     await page.click('#catalogue');
     await wait(() => alate.scene?.name !== 'mesh');
   },
+  // A photograph lies as the camera was held: the same wing stored on its side, with the turn in its EXIF, flies as the upright one.
+  async photographs() {
+    const jpeg = (turned) => page.evaluate(async ([content, isTurned]) => {
+      const image = await createImageBitmap(new Blob([new Uint8Array(content)], { type: 'image/png' })), canvas = document.createElement('canvas'), pen = canvas.getContext('2d');
+      const [width, height] = [image.width, image.height + 60];
+      Object.assign(canvas, isTurned ? { width: height, height: width } : { width, height });
+      pen.fillStyle = '#fff';
+      pen.fillRect(0, 0, canvas.width, canvas.height);
+      if (isTurned)
+        pen.transform(0, -1, 1, 0, 0, width);
+      pen.drawImage(image, 0, 0);
+      const bytes = new Uint8Array(await (await new Promise((done) => canvas.toBlob(done, 'image/jpeg', 0.95))).arrayBuffer());
+      // Orientation 6: turn it a quarter to the right.
+      const exif = [0xff, 0xe1, 0, 34, 0x45, 0x78, 0x69, 0x66, 0, 0, 0x4d, 0x4d, 0, 42, 0, 0, 0, 8, 0, 1, 1, 0x12, 0, 3, 0, 0, 0, 1, 0, 6, 0, 0, 0, 0, 0, 0];
+      return isTurned ? [...bytes.slice(0, 2), ...exif, ...bytes.slice(2)] : [...bytes];
+    }, [[...readFileSync(join(folder, 'wing.png'))], turned]);
+    const look = async (name, bytes) => {
+      await drop(name, bytes);
+      await wait((title) => alate.scene?.name === title && alate.stage.textures.length > 0, name.split('.')[0], 30000);
+      check((await line()).includes('confidence'), await line());
+      return page.evaluate(() => ({ width: alate.stage.textures[0].image.width, height: alate.stage.textures[0].image.height, reach: alate.scene.reach }));
+    };
+    const upright = await look('upright.jpg', await jpeg(false)), turned = await look('turned.JPG', await jpeg(true));
+    check(upright.height === upright.width + 60, `${upright.width} by ${upright.height}`);
+    check(turned.width === upright.width && turned.height === upright.height && Math.abs(turned.reach / upright.reach - 1) < 0.01, JSON.stringify([upright, turned]));
+    await page.click('#catalogue');
+    await wait(() => alate.scene?.name === 'monarch');
+  },
+  async insects() {
+    const file = (name) => [name, readFileSync(join(folder, name))];
+    await browse.drop(page, file('mine.insect.json'));
+    await wait(() => document.getElementById('said').textContent.includes("it names 'mine.obj'"));
+    await browse.drop(page, file('mine.skeleton.json'), file('mine.insect.json'), file('mine.obj'));
+    await wait(() => alate.scene?.name === 'mine' && alate.stage.columns[0]?.wings.length === 2, null, 30000);
+    check((await page.inputValue('#species')) === 'mine' && (await page.textContent('#title')) === 'My moth', 'it is not in the list');
+    check(await page.isHidden('#catalogue'), 'it is taken for a wing');
+    await page.selectOption('#species', 'monarch');
+    await wait(() => alate.scene?.name === 'monarch');
+  },
   async badFiles() {
     const before = await page.evaluate(() => alate.scene.name);
     await drop('bad.obj', Buffer.from('v 0 0 0\nf 1 2 9\n'));

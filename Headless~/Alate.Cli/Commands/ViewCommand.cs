@@ -75,7 +75,8 @@ internal static class ViewCommand
         + "  view --three /opt/three\n\n"
         + "The page has all species and variants, sliders, the columns of 'compare', and overlays: skeleton, loads, angle of attack, "
         + "stretch, lift and\n"
-        + "drag. A wing of your own (OBJ or PNG) flies when it is dropped on the page; its beat can be saved as GLB.\n\n"
+        + "drag. A wing of your own (OBJ, PNG or JPEG) or an insect file flies when it is dropped on the page; its beat can be saved as\n"
+        + "GLB.\n\n"
         + "Listens on the loopback only; nothing of it is seen from another machine.\n\n"
         + "Exit code: 2 for bad usage or a port that is taken, 130 when stopped by Ctrl-C.\n";
 }

@@ -29,12 +29,12 @@ public sealed class SceneLaws
         FlightPlan plan = settings.Plan(ComparisonColumn.FullModel);
         var insect = Insect.Of(plan);
         using var wings = new TetheredWings(plan, insect);
-        JsonObject scene = SceneMessage.Scene(insect, wings.All, ComparisonColumn.All, settings, "a remark");
+        JsonObject scene = SceneMessage.Scene(insect, wings.All, ComparisonColumn.All, settings, "a remark", true);
         double body = insect.Body.positions.Max(place => place.magnitude),
             reach = wings.All.Max(wing => math.length(wing.Placement.Hinge) + wing.Placement.Length);
 
-        Assert.That(((string)scene["type"], (string)scene["name"], (string)scene["title"], (string)scene["remark"]),
-            Is.EqualTo(("scene", species, definition.DisplayName, "a remark")));
+        Assert.That(((string)scene["type"], (string)scene["name"], (string)scene["title"], (string)scene["remark"], (bool)scene["own"]),
+            Is.EqualTo(("scene", species, definition.DisplayName, "a remark", true)));
         Assert.That((float)scene["reach"], Is.EqualTo(Math.Max(body, reach)).Within(1e-6));
         Assert.That(scene["columns"].AsArray().Select(column => ((string)column["title"], (string)column["description"])),
             Is.EqualTo(ComparisonColumn.All.Select(column => (column.Title, column.Description))));
@@ -133,7 +133,7 @@ public sealed class SceneLaws
             Is.EqualTo((true, false, "monarch", InsectVariant.Expressive))
             .Or.EqualTo((true, true, "monarch", InsectVariant.Expressive)));
         var file = ViewRequest.Read(Encoding.UTF8.GetBytes($"{{\"file\":\"{new string('x', 300)}\",\"save\":true,\"catalogue\":true}}"));
-        Assert.That((file.File.Length, file.IsSave, file.IsCatalogue), Is.EqualTo((200, true, true)));
+        Assert.That((file.Files.Single().Length, file.IsSave, file.IsCatalogue), Is.EqualTo((200, true, true)));
     }
 
     [Test]

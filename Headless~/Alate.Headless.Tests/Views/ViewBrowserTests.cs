@@ -7,6 +7,7 @@ using Alate.Cli;
 using Alate.Formats;
 using Alate.Tests.Cli;
 using NUnit.Framework;
+using OwnWing = Alate.Tests.Cli.OwnWing;
 
 namespace Alate.Tests.Views
 {
@@ -26,6 +27,10 @@ namespace Alate.Tests.Views
             WebTools.NeedNode();
             m_Folder = new TemporaryFolder();
             File.Copy(Path.Combine(PackageRoot.Find(), "Documentation~", "images", "wing-drawing.png"), m_Folder.PathOf("wing.png"));
+            File.WriteAllText(m_Folder.PathOf("mine.obj"), OwnWing.Obj());
+            File.WriteAllText(m_Folder.PathOf("mine.skeleton.json"), OwnWing.Skeleton());
+            File.WriteAllText(m_Folder.PathOf("mine.insect.json"), "{ \"version\": 1, \"name\": \"mine\", \"displayName\": \"My moth\", "
+                + "\"like\": \"monarch\", \"wings\": { \"wing\": { \"mesh\": \"mine.obj\", \"skeleton\": \"mine.skeleton.json\" } } }");
             using FileStream mesh = File.Create(m_Folder.PathOf("mesh.obj"));
             ObjWriter.Write(InsectCatalogue.Find("monarch").Wings[0].CreateSurface(WingSide.Right), mesh);
         }
@@ -36,7 +41,7 @@ namespace Alate.Tests.Views
         [Test]
         public void Page_DoesWhatItSays() => Try(
             "view.mjs", "beats", "rate", "slow", "speed", "wind", "amplitude", "frequency", "elasticity", "delay", "substeps", "pause",
-            "comparison", "overlays", "wake", "species", "files", "badFiles", "phone", "reconnect");
+            "comparison", "overlays", "wake", "species", "files", "photographs", "insects", "badFiles", "phone", "reconnect");
 
         [Test]
         public void AMinute_TakesNoMoreMemory() => Try("view.mjs", "memory");

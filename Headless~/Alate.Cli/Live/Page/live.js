@@ -51,9 +51,13 @@ export class Live {
     this.send(change);
   }
 
-  drop(name, content) {
-    this.send({ file: name });
-    this.socket.send(content);
+  // Files as pairs of name and content.
+  drop(files) {
+    if (this.socket.readyState !== WebSocket.OPEN)
+      return;
+    this.send({ files: files.map(([name]) => name) });
+    for (const [, content] of files)
+      this.socket.send(content);
   }
 
   save() {

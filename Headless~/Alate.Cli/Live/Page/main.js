@@ -1,5 +1,6 @@
 import { Baked } from './baked.js';
 import { Chart } from './chart.js';
+import * as dropped from './dropped.js';
 import * as keys from './keys.js';
 import { Live } from './live.js';
 import * as message from './message.js';
@@ -9,7 +10,6 @@ import { Panel } from './panel.js';
 import { isDark } from './theme.js';
 
 const get = (id) => document.getElementById(id), isLive = document.documentElement.dataset.mode === 'live';
-const LARGEST = 16 * 1024 * 1024;
 
 async function load() {
   try {
@@ -97,15 +97,15 @@ if (stage) {
       if (latest)
         stage.setState(latest);
     },
-    file: async (file) => {
-      if (!file)
+    files: async (files) => {
+      if (!isLive || files.length === 0)
         return;
-      if (file.size > LARGEST) {
-        say(`${file.name}: it is larger than 16 MB.`, 'note bad');
-        return;
+      say(files.length > 1 || /\.json$/i.test(files[0].name) ? 'Reading the insect …' : `${files[0].name}: laying a skeleton into it …`);
+      try {
+        source.drop(await dropped.read([...files]));
+      } catch (problem) {
+        say(problem.message, 'note bad');
       }
-      say(`${file.name}: laying a skeleton into it …`);
-      source.drop(file.name, await file.arrayBuffer());
     },
   };
   const panel = new Panel(actions);
@@ -120,7 +120,7 @@ if (stage) {
       document.title = `${scene.title} – Alate`;
       get('title').textContent = scene.title;
       get('canvas').setAttribute('aria-label', `${scene.title} in flight`);
-      get('catalogue').hidden = !scene.remark;
+      get('catalogue').hidden = !scene.own;
       say(scene.remark, 'note');
       panel.show(scene.settings);
       chart.clear();

@@ -17,7 +17,7 @@ export class Panel {
     get('save').onclick = () => actions.save();
     get('catalogue').onclick = () => actions.set({ catalogue: true });
     get('file').onchange = (event) => {
-      actions.file(event.target.files[0]);
+      actions.files([...event.target.files]);
       event.target.value = '';
     };
     get('fold').onclick = () => get('fold').setAttribute('aria-expanded', get('fold').getAttribute('aria-expanded') !== 'true');
@@ -36,8 +36,7 @@ export class Panel {
     addEventListener('dragleave', (event) => over(event, false));
     addEventListener('drop', (event) => {
       over(event, false);
-      if (event.dataTransfer.files.length > 0)
-        this.actions.file(event.dataTransfer.files[0]);
+      this.actions.files([...event.dataTransfer.files]);
     });
   }
 

@@ -13,7 +13,7 @@ internal sealed class SceneInsect : IDisposable
     /// <summary>Bit of a state that has a wake behind the wings of each column.</summary>
     private const uint k_WithWake = 1;
 
-    private readonly InsectDefinition m_Served;
+    private readonly List<InsectDefinition> m_Beside = [];
     private List<LiveFlight> m_Flights = [];
     private OwnWing m_Own;
     private uint m_Sequence;
@@ -21,11 +21,16 @@ internal sealed class SceneInsect : IDisposable
     /// <exception cref="UserException">The species does not fly with its own numbers.</exception>
     public SceneInsect(ViewSettings settings)
     {
-        m_Served = settings.Flight.Definition;
+        if (!InsectCatalogue.All.Contains(settings.Flight.Definition))
+            m_Beside.Add(settings.Flight.Definition);
         Scene = Make(settings, null);
     }
 
     public ViewSettings Settings { get; private set; }
+
+    /// <summary>Insects that can be chosen: those of files first.</summary>
+    public IEnumerable<InsectDefinition> Known =>
+        m_Beside.Concat(InsectCatalogue.All.Where(species => m_Beside.TrueForAll(other => other.Name != species.Name)));
 
     /// <summary>Description of what flies, for the page.</summary>
     public JsonObject Scene { get; private set; }
@@ -35,7 +40,7 @@ internal sealed class SceneInsect : IDisposable
     /// <exception cref="UserException">A value is wrong; nothing is changed.</exception>
     public bool Change(ViewRequest request)
     {
-        ViewSettings settings = request.Apply(Settings, m_Served);
+        ViewSettings settings = request.Apply(Settings, m_Beside);
         bool isOther = settings.Species != Settings.Species || settings.Variant != Settings.Variant
             || settings.IsCompared != Settings.IsCompared;
         OwnWing own = settings.Species != Settings.Species || request.IsCatalogue ? null : m_Own;
@@ -68,6 +73,24 @@ internal sealed class SceneInsect : IDisposable
     public void Wear(string name, byte[] content)
     {
         Scene = Make(Settings, OwnWing.Read(name, content));
+    }
+
+    /// <summary>Takes the insect of a file, which is known from here on, and flies it.</summary>
+    /// <param name="insect">The insect file.</param>
+    /// <param name="files">All that was dropped with it.</param>
+    /// <exception cref="UserException">It is no insect that flies; what flew flies on.</exception>
+    public void Add(DroppedFile insect, IReadOnlyList<DroppedFile> files)
+    {
+        InsectDefinition definition = DroppedInsect.Read(insect, files);
+        ViewSettings settings = ViewSettings.Of(definition, definition.Variants[0]) with
+        {
+            IsCompared = Settings.IsCompared,
+            HasWake = Settings.HasWake,
+        };
+        JsonObject scene = Make(settings, null);
+        m_Beside.RemoveAll(other => other.Name == definition.Name);
+        m_Beside.Insert(0, definition);
+        Scene = scene;
     }
 
     /// <summary>Lets a moment pass and writes the state of all columns.</summary>
@@ -144,8 +167,15 @@ internal sealed class SceneInsect : IDisposable
 
         m_Flights.ForEach(flight => flight.Dispose());
         (m_Flights, m_Own, Settings) = (flights, own, settings);
-        return SceneMessage.Scene(insect, flights[0].Wings, flights.Select(flight => flight.Column), settings, own?.Remark ?? "");
+        string remark = own?.Remark ?? DoubtsOf(settings, flights[0].Wings);
+        return SceneMessage.Scene(insect, flights[0].Wings, flights.Select(flight => flight.Column), settings, remark, own != null);
     }
+
+    // Of a file, in which a unit may be mistaken; the catalogue is known.
+    private static string DoubtsOf(ViewSettings settings, IReadOnlyList<RecordedWing> wings) =>
+        InsectCatalogue.All.Contains(settings.Flight.Definition)
+            ? ""
+            : string.Join(' ', UnitDoubts.Of(settings.Plan(ComparisonColumn.FullModel), wings));
 
     // All flights have one, or none has.
     private static void ShowWake(List<LiveFlight> flights, bool isShown)

@@ -49,14 +49,15 @@ internal static class SceneMessage
     /// <param name="columns">The columns, in the order of the states.</param>
     /// <param name="settings">The numbers.</param>
     /// <param name="remark">What the viewer should know; may be empty.</param>
+    /// <param name="isOwn">True where the wings are the viewer's own.</param>
     public static JsonObject Scene(Insect insect, IReadOnlyList<RecordedWing> wings, IEnumerable<ComparisonColumn> columns,
-        ViewSettings settings, string remark) => new()
+        ViewSettings settings, string remark, bool isOwn) => new()
         {
             ["type"] = "scene",
             ["name"] = insect.Name,
             ["title"] = insect.DisplayName,
             ["remark"] = remark,
-            ["own"] = remark.Length > 0,
+            ["own"] = isOwn,
             ["reach"] = Math.Max(wings.Max(wing => math.length(wing.Placement.Hinge) + wing.Placement.Length),
             insect.Body.positions.Max(place => math.length(place))),
             ["settings"] = Settings(settings),

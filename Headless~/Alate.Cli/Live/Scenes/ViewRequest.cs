@@ -7,6 +7,9 @@ internal sealed class ViewRequest
 {
     private const int k_Depth = 4, k_LongestName = 200;
 
+    /// <summary>Most files of one message.</summary>
+    public const int MostFiles = 16;
+
     private readonly Dictionary<string, double> m_Values = [];
     private string m_Species, m_Variant;
     private bool? m_IsCompared, m_IsPaused, m_HasWake;
@@ -15,8 +18,8 @@ internal sealed class ViewRequest
     {
     }
 
-    /// <summary>Name of a file whose content is the next binary message; null for none.</summary>
-    public string File { get; private set; }
+    /// <summary>Names of files whose contents are the next binary messages; empty for none.</summary>
+    public IReadOnlyList<string> Files { get; private set; } = [];
 
     /// <summary>True where the page wants the beat as a GLB file.</summary>
     public bool IsSave { get; private set; }
@@ -44,16 +47,16 @@ internal sealed class ViewRequest
 
     /// <summary>Settings with the changes of this message.</summary>
     /// <param name="settings">The settings.</param>
-    /// <param name="served">Insect that is known beside those of the catalogue, before one of the same name; null for none.</param>
+    /// <param name="beside">Insects that are known beside those of the catalogue, before one of the same name; null for none.</param>
     /// <exception cref="UserException">There is no such species, variant or slider, or a value is out of its range.</exception>
-    public ViewSettings Apply(ViewSettings settings, InsectDefinition served = null)
+    public ViewSettings Apply(ViewSettings settings, IReadOnlyList<InsectDefinition> beside = null)
     {
         if (m_Species != null || m_Variant != null)
         {
             InsectVariant variant = Variant();
             (bool isCompared, bool hasWake) = (settings.IsCompared, settings.HasWake);
             string name = m_Species ?? settings.Species;
-            InsectDefinition species = name == served?.Name ? served : KnownSpecies.FindInCatalogue(name);
+            InsectDefinition species = beside?.FirstOrDefault(known => known.Name == name) ?? KnownSpecies.FindInCatalogue(name);
             settings = ViewSettings.Of(KnownSpecies.With(species, variant), variant);
             settings = settings with { IsCompared = isCompared, HasWake = hasWake };
         }
@@ -106,7 +109,12 @@ internal sealed class ViewRequest
                     m_Values[value.Name] = value.Value.GetDouble();
                 break;
             case "file":
-                File = Shown(property.Value.GetString());
+                Files = [Shown(property.Value.GetString())];
+                break;
+            case "files":
+                Files = property.Value.EnumerateArray().Select(name => Shown(name.GetString())).ToList();
+                if (Files.Count is 0 or > MostFiles)
+                    throw new FormatException($"A message of this page names 1 to {MostFiles} files.");
                 break;
             case "save":
                 IsSave = property.Value.GetBoolean();

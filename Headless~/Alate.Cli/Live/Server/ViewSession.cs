@@ -10,8 +10,8 @@ namespace Alate.Cli;
 internal sealed class ViewSession(WebSocket socket, SimulationThread simulation, InsectDefinition species, InsectVariant variant)
     : IAsyncDisposable
 {
-    /// <summary>Longest message of text, and longest file, bytes.</summary>
-    public const int LongestText = 4096, LongestFile = 16 << 20;
+    /// <summary>Longest message of text, longest file, and longest files of one message together, bytes.</summary>
+    public const int LongestText = 4096, LongestFile = 16 << 20, LongestFiles = 2 * LongestFile;
 
     private const int k_Waiting = 16, k_Chunk = 1 << 16;
 
@@ -20,7 +20,8 @@ internal sealed class ViewSession(WebSocket socket, SimulationThread simulation,
 
     private static readonly TimeSpan s_Patience = TimeSpan.FromSeconds(20), s_Farewell = TimeSpan.FromSeconds(1);
 
-    private readonly Channel<(ViewRequest Request, byte[] File)> m_Requests = Channel.CreateBounded<(ViewRequest, byte[])>(k_Waiting);
+    private readonly Channel<(ViewRequest Request, List<DroppedFile> Files)> m_Requests =
+        Channel.CreateBounded<(ViewRequest, List<DroppedFile>)>(k_Waiting);
     private readonly StateBuffer m_State = new();
     private SceneInsect m_Insect;
 
@@ -32,13 +33,13 @@ internal sealed class ViewSession(WebSocket socket, SimulationThread simulation,
         try
         {
             m_Insect = await simulation.Do(() => new SceneInsect(ViewSettings.Of(species, variant)));
-            await Send(SceneMessage.Hello(KnownSpecies.With(species), ViewSlider.All), end.Token);
+            await Send(SceneMessage.Hello(m_Insect.Known, ViewSlider.All), end.Token);
             await Send(m_Insect.Scene, end.Token);
             using var timer = new PeriodicTimer(TimeSpan.FromSeconds(1.0 / SceneInsect.Rate));
             while (await timer.WaitForNextTickAsync(end.Token))
             {
-                while (m_Requests.Reader.TryRead(out (ViewRequest Request, byte[] File) next))
-                    await Answer(next.Request, next.File, end.Token);
+                while (m_Requests.Reader.TryRead(out (ViewRequest Request, List<DroppedFile> Files) next))
+                    await Answer(next.Request, next.Files, end.Token);
                 await simulation.Do(() => m_Insect.Advance(m_State));
                 await Send(m_State.Content, WebSocketMessageType.Binary, end.Token);
             }
@@ -62,14 +63,13 @@ internal sealed class ViewSession(WebSocket socket, SimulationThread simulation,
         socket.Dispose();
     }
 
-    private async Task Answer(ViewRequest request, byte[] file, CancellationToken stop)
+    private async Task Answer(ViewRequest request, List<DroppedFile> files, CancellationToken stop)
     {
         try
         {
-            if (file != null)
+            if (files.Count > 0)
             {
-                await simulation.Do(() => m_Insect.Wear(request.File, file));
-                await Send(m_Insect.Scene, stop);
+                await Take(files, stop);
             }
             else if (request.IsSave)
             {
@@ -87,27 +87,57 @@ internal sealed class ViewSession(WebSocket socket, SimulationThread simulation,
         }
     }
 
+    // An insect file with what it names, or one wing.
+    private async Task Take(List<DroppedFile> files, CancellationToken stop)
+    {
+        if (DroppedInsect.Find(files) is { } insect)
+        {
+            await simulation.Do(() => m_Insect.Add(insect, files));
+            await Send(SceneMessage.Hello(m_Insect.Known, ViewSlider.All), stop);
+        }
+        else if (files.Count == 1)
+        {
+            await simulation.Do(() => m_Insect.Wear(files[0].Name, files[0].Content));
+        }
+        else
+        {
+            throw new UserException($"Drop one wing, or one insect file (NAME{InsectFile.Ending}) with the files that it names.");
+        }
+
+        await Send(m_Insect.Scene, stop);
+    }
+
     private async Task Receive(CancellationTokenSource end)
     {
         try
         {
             ViewRequest waiting = null;
+            var files = new List<DroppedFile>();
             while (await ReadMessage(end.Token) is (WebSocketMessageType type, byte[] content))
             {
                 if (type == WebSocketMessageType.Binary)
                 {
                     if (waiting == null)
                         throw new FormatException("A file comes behind a message that names it.");
-                    await m_Requests.Writer.WriteAsync((waiting, content), end.Token);
-                    waiting = null;
+                    files.Add(new DroppedFile(waiting.Files[files.Count], content));
+                    if (files.Sum(file => (long)file.Content.Length) > LongestFiles)
+                    {
+                        await Close(WebSocketCloseStatus.MessageTooBig, $"At most {LongestFiles} bytes of files.");
+                        return;
+                    }
+
+                    if (files.Count < waiting.Files.Count)
+                        continue;
+                    await m_Requests.Writer.WriteAsync((waiting, files), end.Token);
+                    (waiting, files) = (null, []);
                     continue;
                 }
 
                 var request = ViewRequest.Read(content);
-                if (request.File != null)
-                    waiting = request;
+                if (request.Files.Count > 0)
+                    (waiting, files) = (request, []);
                 else
-                    await m_Requests.Writer.WriteAsync((request, null), end.Token);
+                    await m_Requests.Writer.WriteAsync((request, []), end.Token);
             }
         }
         catch (FormatException problem)
