@@ -170,8 +170,8 @@ namespace Alate.Flight
             if (m_Perching.Holds && Hold(ref body, sits, command.heading, dt))
                 return;
 
-            m_Recorder?.Add(body, command, length, count);
-            body.reference = m_Reference.Step(command.velocity, command.heading, body.wind, body.velocityError, m_Table, dt);
+            m_Recorder?.Add(body, command, GuardCommands, length, count);
+            body.reference = m_Reference.Step(command.velocity, command.heading, body.wind, body.velocityError, m_Table, GuardCommands, dt);
             State = body.Tumbles ? FlightState.Tumbling : command.wish == FlightWish.Land ? FlightState.Landing : FlightState.Flying;
         }
 

@@ -28,6 +28,10 @@ namespace Alate.Flight
         private float m_Aid;
 
         [SerializeField]
+        [Tooltip("Keeps commands within what the insect flies. Off: told to fly backwards, sideways or straight down, it tumbles.")]
+        private bool m_GuardCommands = true;
+
+        [SerializeField]
         [Tooltip("Wanted velocity without a pilot, m/s of the real insect along the world's axes; 0 hovers.")]
         private Vector3 m_Velocity;
 
@@ -57,6 +61,17 @@ namespace Alate.Flight
         {
             get => NumberRange.Clamp(m_Aid, 0f, 1f, 0f);
             set => m_Aid = NumberRange.Clamp(value, 0f, 1f, 0f);
+        }
+
+        /// <summary>
+        /// True keeps every command, whoever gives it, within what the insect flies: ahead, nose first, within its climbs, no faster than
+        /// it follows. False follows whatever is commanded; an insect that is told to fly backwards, sideways or straight down, or whose
+        /// wanted velocity jumps, may tumble and fall for metres.
+        /// </summary>
+        public bool GuardCommands
+        {
+            get => m_GuardCommands;
+            set => m_GuardCommands = value;
         }
 
         /// <summary>

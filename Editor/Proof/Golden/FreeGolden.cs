@@ -59,7 +59,7 @@ namespace Alate.Proof
                 ref FlyingBody body = ref m_World.Body(m_Body);
                 float3 wind = frame >= k_GustFrom && frame < k_GustTo ? s_Gust : default;
                 body.wind = wind;
-                body.reference = m_Reference.Step(wanted, 0f, wind, body.velocityError, m_Table, k_FrameTime);
+                body.reference = m_Reference.Step(wanted, 0f, wind, body.velocityError, m_Table, true, k_FrameTime);
                 m_World.Step(k_FrameTime);
                 AddBody(values, m_World.Body(m_Body));
             }

@@ -116,11 +116,12 @@ internal sealed class FleetScene : IDisposable
             situation.deltaTime = k_FrameTime;
             situation.wingLength = member.Model.Length;
             FlightCommand command = member.Course != null
-                ? NoseFirst.Limit(FlightCommand.Fly(member.Course.Next(situation, s_Volume, WanderSettings.Default)), situation)
+                ? FlightCommand.Fly(member.Course.Next(situation, s_Volume, WanderSettings.Default))
                 : FlightCommand.Fly(new float3(k_Straight * member.Table.TopSpeed, k_Climbing * situation.limits.MostClimb, 0f));
             body.wind = wind;
             body.aid = 0.5f;
-            body.reference = member.Reference.Step(command.velocity, command.heading, wind, body.velocityError, member.Table, k_FrameTime);
+            body.reference =
+                member.Reference.Step(command.velocity, command.heading, wind, body.velocityError, member.Table, true, k_FrameTime);
         }
 
         m_World.Step(k_FrameTime);

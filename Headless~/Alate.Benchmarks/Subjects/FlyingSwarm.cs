@@ -99,7 +99,7 @@ internal sealed class FlyingSwarm : IDisposable
         for (int k = 0; k < m_Bodies.Count; k++)
         {
             ref FlyingBody body = ref World.Body(m_Bodies[k]);
-            body.reference = m_References[k].Step(default, 0f, body.wind, body.velocityError, m_Table, k_FrameTime);
+            body.reference = m_References[k].Step(default, 0f, body.wind, body.velocityError, m_Table, true, k_FrameTime);
         }
     }
 }

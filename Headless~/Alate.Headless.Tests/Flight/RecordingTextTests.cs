@@ -51,6 +51,8 @@ namespace Alate.Tests.Flight
                     step.heading = random.NextBool() ? float.NaN : random.NextFloat(-4f, 4f);
                 if (random.NextInt(20) == 0)
                     (step.wind, step.aid, step.count) = (random.NextFloat3(), random.NextFloat(), random.NextInt(1, 4));
+                if (random.NextInt(25) == 0)
+                    step.isUnguarded = !step.isUnguarded;
                 if (random.NextInt(30) == 0)
                     step.length = random.NextFloat(1e-4f, 0.05f);
                 if (random.NextInt(30) == 0)

@@ -47,7 +47,7 @@ namespace Alate.Tests.FreeFlights
                 {
                     FlightSituation situation = flight.Situation(step);
                     var command = FlightCommand.Fly(course.Next(situation, s_Volume, WanderSettings.Default));
-                    flight.Step(NoseFirst.Limit(command, situation), step);
+                    flight.Step(command, step);
                     worst = Math.Max(worst, flight.Tilt);
                     path += math.length(flight.Velocity) * step;
                 }

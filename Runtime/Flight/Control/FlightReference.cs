@@ -4,8 +4,9 @@ using Unity.Mathematics;
 namespace Alate.Flight
 {
     /// <summary>
-    /// Reference of the feedback, made from a pilot's command: bounded acceleration, a filter, turns on an arc, a heading that crabs into
-    /// the wind, speeds and climbs of the table. Once a fixed step.
+    /// Reference of the feedback, made from a pilot's command: what insects fly, bounded acceleration, a filter, turns on an arc, a heading
+    /// that crabs into the wind, speeds and climbs of the table, and a rate that waits for an insect that has not followed. Once a fixed
+    /// step.
     /// </summary>
     public struct FlightReference
     {
@@ -37,6 +38,12 @@ namespace Alate.Flight
         /// its speed does not get it back at once.
         /// </summary>
         private const float k_Lost = 0.15f, k_Yield = 6f;
+
+        /// <summary>
+        /// Velocity error, m/s, at which the reference waits for the insect, and share of its rate that is left then: one that is told to
+        /// go on before it has followed rocks, overshoots and tumbles.
+        /// </summary>
+        private const float k_Waits = 0.2f, k_LeastRate = 0.05f;
 
         /// <summary>Fastest turn into a gust, rad/s, and seconds in which the heading of a fast insect gets to its course.</summary>
         private const float k_MostCrabbing = 10f, k_Course = 0.03f;
@@ -109,9 +116,10 @@ namespace Alate.Flight
         /// <param name="error">Velocity of the insect relative to the reference at its last beat, less the bob, m/s along the heading's
         /// axes.</param>
         /// <param name="table">Bounds of speed and climb.</param>
+        /// <param name="isGuarded">False follows commands that insects cannot fly, without waiting for the insect.</param>
         /// <param name="dt">Seconds.</param>
         /// <returns>What the bodies' feedback follows within the step.</returns>
-        internal BodyReference Step(float3 wanted, float heading, float3 wind, float3 error, TrimTable table, float dt)
+        internal BodyReference Step(float3 wanted, float heading, float3 wind, float3 error, TrimTable table, bool isGuarded, float dt)
         {
             // Squares of larger ones overflow; what is no number hovers.
             float largest = math.cmax(math.abs(wanted));
@@ -119,9 +127,18 @@ namespace Alate.Flight
             FlightLimits limits = table.Limits;
             m_Cruising = math.min(k_Cruising, k_CruisingShare * limits.TopSpeed);
             Wind += (1f - Elementary.Exp(-dt / k_WindFilter)) * (wind - Wind);
+            if (isGuarded)
+            {
+                wanted -= Wind;
+                CommandGuard.Limit(ref wanted, ref heading, m_Velocity - Wind, Heading);
+                wanted += Wind;
+            }
+
             wanted.y = Climb(wanted.y, limits, dt);
             float3 target = OnAnArc(Bounded(wanted, table, limits), limits);
             float3 rate = Followed((target - m_Velocity) * (1f / k_Filter), limits);
+            if (isGuarded)
+                rate *= math.max(1f - math.length(error) * (1f / k_Waits), k_LeastRate);
             m_Rate = rate;
             var reference = new BodyReference { velocity = m_Velocity, acceleration = rate };
             Turn(heading, dt);

@@ -60,6 +60,12 @@ namespace Alate.Flight
         /// <summary>Gravity, m/s².</summary>
         internal float3 Gravity { get; set; }
 
+        /// <summary>
+        /// True keeps commands within what the insect flies, and waits where it has not followed; false follows whatever is commanded, and
+        /// an insect that is told to fly backwards, sideways or straight down tumbles.
+        /// </summary>
+        public bool GuardCommands { get; set; } = true;
+
         /// <summary>Outer help towards the wanted velocity and attitude, 0 to 1; 0 flies by the wings alone.</summary>
         public float Aid { get; set; }
 
@@ -146,7 +152,7 @@ namespace Alate.Flight
             body.weight = Gravity * m_Model.GravityShare;
             body.gravity = Gravity;
             body.aid = math.saturate(Aid);
-            body.reference = m_Reference.Step(command.velocity, command.heading, Wind, body.velocityError, m_Table, dt);
+            body.reference = m_Reference.Step(command.velocity, command.heading, Wind, body.velocityError, m_Table, GuardCommands, dt);
             for (int k = 0; k < count; k++)
                 m_World.Step(length);
             Time += dt;

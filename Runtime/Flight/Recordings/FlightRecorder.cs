@@ -56,9 +56,10 @@ namespace Alate.Flight
         /// <summary>Writes down a step that is about to be flown.</summary>
         /// <param name="body">The body with its air and gravity.</param>
         /// <param name="command">Command of the pilot.</param>
+        /// <param name="isGuarded">Whether it is kept within what the insect flies.</param>
         /// <param name="length">Seconds of a step of the wings.</param>
         /// <param name="count">Number of steps of the wings.</param>
-        public void Add(in FlyingBody body, in FlightCommand command, float length, int count)
+        public void Add(in FlyingBody body, in FlightCommand command, bool isGuarded, float length, int count)
         {
             if (!HasBegun || Ended != null)
                 return;
@@ -68,7 +69,13 @@ namespace Alate.Flight
                 return;
             }
 
-            Recording.Steps.Add(new RecordedStep(command, length, count) { wind = body.wind, gravity = body.gravity, aid = body.aid });
+            Recording.Steps.Add(new RecordedStep(command, length, count)
+            {
+                wind = body.wind,
+                gravity = body.gravity,
+                aid = body.aid,
+                isUnguarded = !isGuarded,
+            });
         }
 
         /// <summary>Ends the recording; the first reason counts.</summary>

@@ -108,6 +108,7 @@ namespace Alate.Flight
             flight.Wind = at.wind;
             flight.Gravity = at.gravity;
             flight.Aid = at.aid;
+            flight.GuardCommands = !at.isUnguarded;
             flight.Step(FlightCommand.Fly(at.velocity, at.heading), at.length, at.count);
         }
     }

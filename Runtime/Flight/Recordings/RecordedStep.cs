@@ -26,6 +26,9 @@ namespace Alate.Flight
         /// <summary>Outer help, 0 to 1.</summary>
         public float aid;
 
+        /// <summary>True where commands were not kept within what the insect flies.</summary>
+        public bool isUnguarded;
+
         /// <param name="command">Command; a velocity that is not finite counts as none, as in flight.</param>
         /// <param name="length">Seconds of a step of the wings.</param>
         /// <param name="count">Number of steps of the wings.</param>

@@ -90,6 +90,7 @@ namespace Alate.Flight
                 case RecordingText.Wind: m_Now.wind = Vector(Numbers(value, 3), 0); break;
                 case RecordingText.Gravity: m_Now.gravity = Vector(Numbers(value, 3), 0); break;
                 case RecordingText.Aid: m_Now.aid = Numbers(value, 1)[0]; break;
+                case RecordingText.Guard: TakeGuard(value); break;
                 case RecordingText.Push: TakePush(value); break;
                 case RecordingText.Go: TakeCommand(value); break;
                 case RecordingText.Fly: TakeMore(value); break;
@@ -134,6 +135,13 @@ namespace Alate.Flight
             m_Now.length = numbers[0];
             m_Now.count = (int)count;
             m_HasStep = true;
+        }
+
+        private void TakeGuard(string value)
+        {
+            if (value != RecordingText.On && value != RecordingText.Off)
+                throw Wrong($"'{Short(value)}' is neither {RecordingText.On} nor {RecordingText.Off}");
+            m_Now.isUnguarded = value == RecordingText.Off;
         }
 
         private void TakePush(string value)

@@ -14,13 +14,17 @@ namespace Alate.Flight
 
         /// <summary>Names of lines, which writer and reader share.</summary>
         internal const string Package = "package", Insect = "insect", Model = "model", Options = "options", Start = "start", Wing = "wing",
-            Step = "step", Wind = "wind", Gravity = "gravity", Aid = "aid", Push = "push", Go = "go", Fly = "fly", End = "end";
+            Step = "step", Wind = "wind", Gravity = "gravity", Aid = "aid", Guard = "guard", Push = "push", Go = "go", Fly = "fly",
+            End = "end";
 
         /// <summary>First words of the file: what it is, without its version.</summary>
         internal static string Title => k_Title;
 
         /// <summary>Word of a start with wings that begin their beat.</summary>
         internal static string Scene => k_Scene;
+
+        /// <summary>Words for commands that are kept within what the insect flies, as they are at first, or not.</summary>
+        internal const string On = "on", Off = "off";
 
         /// <summary>Word for what is not there.</summary>
         internal static string None => k_None;
@@ -57,7 +61,7 @@ namespace Alate.Flight
                 bool pushed = push < recording.Pushes.Count && recording.Pushes[push].step <= k;
                 bool commanded = !Same(step.velocity, before.velocity) || !Same(step.heading, before.heading);
                 bool changed = step.count != before.count || !Same(step.length, before.length) || !Same(step.wind, before.wind)
-                    || !Same(step.gravity, before.gravity) || !Same(step.aid, before.aid);
+                    || !Same(step.gravity, before.gravity) || !Same(step.aid, before.aid) || step.isUnguarded != before.isUnguarded;
                 if (k > 0 && !pushed && !commanded && !changed)
                 {
                     more++;
@@ -89,6 +93,8 @@ namespace Alate.Flight
                 Line(text, Gravity, Text(step.gravity));
             if (!Same(step.aid, before.aid))
                 Line(text, Aid, Text(step.aid));
+            if (step.isUnguarded != before.isUnguarded)
+                Line(text, Guard, step.isUnguarded ? Off : On);
         }
 
         private static void Flush(StringBuilder text, ref int more)

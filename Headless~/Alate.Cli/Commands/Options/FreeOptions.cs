@@ -28,6 +28,11 @@ internal sealed class FreeOptions
     private readonly Option<double> m_Aid = Numbers.Option(FlightNumbers.Aid);
     private readonly Option<double> m_Step = Numbers.Option(FlightNumbers.Step);
 
+    private readonly Option<bool> m_Unguarded = new("--unguarded")
+    {
+        Description = "With --free: follows commands that the insect cannot fly: backwards, sideways, straight down or by jumps it tumbles.",
+    };
+
     private readonly Option<string> m_Record = new("--record")
     {
         HelpName = "FILE",
@@ -40,7 +45,7 @@ internal sealed class FreeOptions
         Description = "With --free: a recorded flight, of --record or of a scene, that is flown again.",
     };
 
-    private Option[] Flown => [m_Pilot, m_To, m_Points, m_Seed, m_Gust, m_Aid, m_Step];
+    private Option[] Flown => [m_Pilot, m_To, m_Points, m_Seed, m_Gust, m_Aid, m_Step, m_Unguarded];
 
     public void AddTo(Command command)
     {
@@ -79,6 +84,7 @@ internal sealed class FreeOptions
             Seconds = Math.Max(seconds ?? k_DefaultSeconds, parsed.GetValue(m_Step)),
             Gust = gust is { Length: 3 } ? new float3((float)gust[0], (float)gust[1], (float)gust[2]) : default,
             Aid = parsed.GetValue(m_Aid),
+            GuardsCommands = !parsed.GetValue(m_Unguarded),
             Step = parsed.GetValue(m_Step),
             Folder = folder,
         };

@@ -13,5 +13,5 @@ internal sealed class CoursePilot(int seed) : IFlightPilot
     private readonly ErraticCourse m_Course = new(seed);
 
     public FlightCommand Command(in FlightSituation situation) =>
-        NoseFirst.Limit(FlightCommand.Fly(m_Course.Next(situation, s_Volume, WanderSettings.Default)), situation);
+        FlightCommand.Fly(m_Course.Next(situation, s_Volume, WanderSettings.Default));
 }

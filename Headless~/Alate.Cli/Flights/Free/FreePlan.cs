@@ -21,6 +21,9 @@ internal sealed record FreePlan
     /// <summary>Outer help, 0 to 1.</summary>
     public double Aid { get; init; }
 
+    /// <summary>False follows commands that the insect cannot fly.</summary>
+    public bool GuardsCommands { get; init; } = true;
+
     /// <summary>Seconds of a step.</summary>
     public double Step { get; init; } = FlightNumbers.Step.Default;
 

@@ -45,6 +45,7 @@ internal static class FreeRun
             wind = gusts ? plan.Gust : default,
             gravity = flight.Gravity,
             aid = (float)plan.Aid,
+            isUnguarded = !plan.GuardsCommands,
         };
     }
 

@@ -62,7 +62,7 @@ namespace Alate.Flight
             }
 
             wanted = math.normalizesafe(wanted) * math.min(math.length(wanted), k_Hurry * speed);
-            return NoseFirst.Limit(FlightCommand.Fly(Avoid(wanted, situation, m_Obstacles)), situation);
+            return FlightCommand.Fly(Avoid(wanted, situation, m_Obstacles));
         }
 
         private static float3 Ahead(float heading) => new float3(Elementary.Sin(heading), 0f, Elementary.Cos(heading));

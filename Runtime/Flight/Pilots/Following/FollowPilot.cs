@@ -129,7 +129,7 @@ namespace Alate.Flight
             m_SinceLook += situation.deltaTime;
             if (IsBlocked && m_SinceLook > k_LookTime && IsWithinWall(goal))
                 Warn($"The goal of '{name}' at {(Vector3)goal} lies within a collider: the insect stays before it. Move the goal out.");
-            return NoseFirst.Limit(FlightCommand.Fly(velocity), situation);
+            return FlightCommand.Fly(velocity);
         }
 
         /// <summary>The points in the world; a point that is not finite is left out with a warning.</summary>

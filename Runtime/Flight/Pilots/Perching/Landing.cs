@@ -181,7 +181,7 @@ namespace Alate.Flight
             if (math.length(beside) < k_DriftWithin)
                 m_Drift += k_DriftRate * situation.deltaTime * beside;
             m_Drift *= math.min(1f, k_MostDrift / math.max(math.length(m_Drift), 1e-6f));
-            float3 back = math.min(k_LineRate * math.length(beside), NoseFirst.MostAside) * math.normalizesafe(beside) + m_Drift;
+            float3 back = math.min(k_LineRate * math.length(beside), CommandGuard.MostAside) * math.normalizesafe(beside) + m_Drift;
             float3 velocity = OnCourse(-speed * m_Line - back, speed)
                 - math.min(k_SlipShare, k_MostSlip / math.max(math.length(m_Slip), 1e-6f)) * m_Slip;
             if (along > k_Far * situation.wingLength)
@@ -198,7 +198,7 @@ namespace Alate.Flight
             var right = new float3(course.z, 0f, -course.x);
             float ahead = math.dot(velocity, course), aside = math.dot(velocity, right);
             float least = math.min(speed * math.length(m_Line.xz), k_LeastAhead);
-            return math.max(ahead, least) * course + math.clamp(aside, -NoseFirst.MostAside, NoseFirst.MostAside) * right
+            return math.max(ahead, least) * course + math.clamp(aside, -CommandGuard.MostAside, CommandGuard.MostAside) * right
                 + new float3(0f, velocity.y, 0f);
         }
 
@@ -283,11 +283,9 @@ namespace Alate.Flight
 
         private FlightCommand Wish(FlightWish wish, float3 velocity, in FlightSituation situation)
         {
-            FlightCommand command = NoseFirst.Limit(
-                new FlightCommand { velocity = velocity, heading = m_Heading, wish = wish, spot = m_Spot }, situation);
             float sinks = math.max(-(situation.referenceVelocity.y + m_Slip.y), 0f);
-            command.velocity.y = math.max(command.velocity.y, -k_Sink - sinks);
-            return command;
+            velocity.y = math.max(velocity.y, -k_Sink - sinks);
+            return new FlightCommand { velocity = velocity, heading = m_Heading, wish = wish, spot = m_Spot };
         }
     }
 }

@@ -150,7 +150,7 @@ namespace Alate.Flight
             if (m_Passed >= k_TakeOffTime || isFar)
                 FlyOn();
             float3 velocity = math.min(k_TakeOffSpeed, situation.limits.TopSpeed) * m_Away + new float3(0f, situation.limits.MostClimb, 0f);
-            return NoseFirst.Limit(FlightCommand.Fly(velocity), situation);
+            return FlightCommand.Fly(velocity);
         }
 
         private void FlyOn()

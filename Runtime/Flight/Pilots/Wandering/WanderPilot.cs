@@ -110,7 +110,7 @@ namespace Alate.Flight
                 m_Course = new ErraticCourse(m_Seed != 0 ? m_Seed : GetHashCode());
             m_CourseSeed = m_Seed;
             float3 wanted = m_Course.Next(situation, WorldVolume, m_Settings);
-            return NoseFirst.Limit(FlightCommand.Fly(Avoid(wanted, situation, m_Obstacles)), situation);
+            return FlightCommand.Fly(Avoid(wanted, situation, m_Obstacles));
         }
 
         private void OnEnable()

@@ -45,7 +45,7 @@ namespace Alate.Tests.Flight
             {
                 float3 wind = random.NextFloat3(-0.1f, 0.1f);
                 FlightReference before = reference;
-                BodyReference told = reference.Step(new float3(1f, 0.1f, -0.5f), float.NaN, wind, default, m_Table, k_Step);
+                BodyReference told = reference.Step(new float3(1f, 0.1f, -0.5f), float.NaN, wind, default, m_Table, true, k_Step);
                 Assert.That(math.distance(told.velocity, before.Velocity), Is.LessThan(1e-6f));
                 Assert.That(told.heading, Is.EqualTo(before.Heading));
                 Assert.That(math.distance(told.velocity + told.acceleration * k_Step, reference.Velocity), Is.LessThan(1e-6f));
@@ -64,7 +64,7 @@ namespace Alate.Tests.Flight
             var wind = new float3(0.3f, -0.1f, 0.2f);
             for (float time = dt; time < 0.3f; time += dt)
             {
-                reference.Step(default, 0f, wind, default, m_Table, dt);
+                reference.Step(default, 0f, wind, default, m_Table, true, dt);
                 Assert.That(math.distance(reference.Wind, wind * (1f - math.exp(-time / 0.07f))), Is.LessThan(1e-5f));
             }
         }
@@ -78,10 +78,10 @@ namespace Alate.Tests.Flight
         public void ASlowInsect_FollowsLess(float speed, float share)
         {
             FlightReference reference = Ahead(speed);
-            BodyReference told = reference.Step(new float3(0f, 0f, speed > 1f ? 0f : 9f), 0f, default, default, m_Table, 1e-4f);
+            BodyReference told = reference.Step(new float3(0f, 0f, speed > 1f ? 0f : 9f), 0f, default, default, m_Table, true, 1e-4f);
             Assert.That(math.length(told.acceleration), Is.EqualTo(share * k_Acceleration).Within(0.01f));
             reference = Ahead(0f);
-            told = reference.Step(new float3(9f, 0f, 0f), 0.5f * math.PI, new float3(9f, 0f, 0f), default, m_Table, 0.05f);
+            told = reference.Step(new float3(9f, 0f, 0f), 0.5f * math.PI, new float3(9f, 0f, 0f), default, m_Table, true, 0.05f);
             Assert.That(told.acceleration.x, Is.EqualTo(k_Acceleration).Within(0.01f), "with the air");
         }
 
@@ -95,7 +95,7 @@ namespace Alate.Tests.Flight
             for (int step = 0; step < 300; step++)
             {
                 float3 wanted = step % 30 == 0 ? random.NextFloat3(-3f, 3f) : reference.Velocity + 1f;
-                most = math.max(most, math.length(reference.Step(wanted, float.NaN, random.NextFloat3(-0.5f, 0.5f), default, m_Table,
+                most = math.max(most, math.length(reference.Step(wanted, float.NaN, random.NextFloat3(-0.5f, 0.5f), default, m_Table, true,
                     k_Step).acceleration));
             }
 
@@ -125,7 +125,7 @@ namespace Alate.Tests.Flight
             float least = float.PositiveInfinity;
             for (int step = 0; step < 400; step++)
             {
-                Step(ref reference, wanted);
+                reference.Step(wanted, float.NaN, default, default, m_Table, false, k_Step);
                 float speed = math.length(reference.Velocity);
                 if (math.dot(reference.Velocity, wanted) < -0.3f * speed * math.length(wanted))
                     least = math.min(least, speed);
@@ -141,7 +141,7 @@ namespace Alate.Tests.Flight
         {
             FlightReference reference = Ahead(0.5f);
             for (int step = 0; step < 500; step++)
-                reference.Step(new float3(0f, 0f, 9f), 0f, new float3(0f, 0f, wind), default, m_Table, k_Step);
+                reference.Step(new float3(0f, 0f, 9f), 0f, new float3(0f, 0f, wind), default, m_Table, true, k_Step);
             Assert.That(reference.Velocity.z - wind, Is.EqualTo(1.1f * k_Top).Within(1e-3f), "more wind carries it along");
         }
 
@@ -150,7 +150,7 @@ namespace Alate.Tests.Flight
         {
             FlightReference reference = Ahead(0.2f);
             for (int step = 0; step < 500; step++)
-                reference.Step(new float3(0f, wanted, 0.2f), 0f, new float3(0f, updraft, 0f), default, m_Table, k_Step);
+                reference.Step(new float3(0f, wanted, 0.2f), 0f, new float3(0f, updraft, 0f), default, m_Table, false, k_Step);
             Assert.That(reference.Velocity.y - updraft, Is.EqualTo(wanted > 0f ? 0.2f : -0.3f).Within(1e-3f));
         }
 
@@ -166,8 +166,8 @@ namespace Alate.Tests.Flight
             var one = new FlightReference(new float3(1f, 0f, 0f), heading, default);
             FlightReference other = one;
             float3 direction = math.normalize(new float3(1f, -2f, 2f));
-            one.Step(new float3(1f, 0f, 0f), float.NaN, default, default, m_Table, k_Step);
-            other.Step(new float3(1f, 0f, 0f), float.NaN, default, size * direction, m_Table, k_Step);
+            one.Step(new float3(1f, 0f, 0f), float.NaN, default, default, m_Table, true, k_Step);
+            other.Step(new float3(1f, 0f, 0f), float.NaN, default, size * direction, m_Table, true, k_Step);
             var turned = new float3(direction.z, direction.y, -direction.x);
             float expected = math.max(size - 0.15f, 0f) * (1f - math.exp(-6f * k_Step));
             Assert.That(math.distance(other.Velocity - one.Velocity, expected * turned), Is.LessThan(1e-6f));
@@ -184,7 +184,7 @@ namespace Alate.Tests.Flight
             for (int point = 0; point < 4; point++)
                 table.Set(point / 2, point % 2, new float[TrimPoint.Floats]);
             FlightReference reference = Ahead(speed);
-            reference.Step(new float3(0f, 0f, speed), 0f, default, new float3(0f, 0f, -0.5f), table, k_Step);
+            reference.Step(new float3(0f, 0f, speed), 0f, default, new float3(0f, 0f, -0.5f), table, true, k_Step);
             Assert.That(reference.Velocity.z < speed - 0.01f, Is.EqualTo(isTaken));
         }
 
@@ -195,7 +195,7 @@ namespace Alate.Tests.Flight
             FlightReference reference = Ahead(0f);
             float fastest = 0f;
             for (int step = 0; step < 400; step++)
-                fastest = math.max(fastest, math.abs(reference.Step(default, wanted, default, default, m_Table, k_Step).turning));
+                fastest = math.max(fastest, math.abs(reference.Step(default, wanted, default, default, m_Table, false, k_Step).turning));
             Assert.That(reference.Heading, Is.EqualTo(wanted).Within(0.01f));
             Assert.That(fastest, math.abs(wanted) > 1f ? Is.InRange(2.9f, 3.0001f) : Is.InRange(0.5f, 1.2f));
         }
@@ -205,7 +205,7 @@ namespace Alate.Tests.Flight
         {
             FlightReference reference = Ahead(0f);
             for (int step = 0; step < 400; step++)
-                reference.Step(new float3(speed, 0f, 0f), float.NaN, default, default, m_Table, k_Step);
+                reference.Step(new float3(speed, 0f, 0f), float.NaN, default, default, m_Table, false, k_Step);
             Assert.That(reference.Heading, Is.EqualTo(speed > 0.15f ? 0.5f * math.PI : 0f).Within(0.02f));
         }
 
@@ -215,7 +215,7 @@ namespace Alate.Tests.Flight
         {
             FlightReference reference = Ahead(0.8f);
             for (int step = 0; step < 300; step++)
-                reference.Step(new float3(0f, 0f, 0.8f), 2f, new float3(side, 0f, 0f), default, m_Table, k_Step);
+                reference.Step(new float3(0f, 0f, 0.8f), 2f, new float3(side, 0f, 0f), default, m_Table, true, k_Step);
             Assert.That(reference.Heading, Is.EqualTo(math.atan2(-side, 0.8f)).Within(0.01f));
             Assert.That(math.distance(reference.Velocity, new float3(0f, 0f, 0.8f)), Is.LessThan(0.01f),
                 "and its way over ground the wanted one");
@@ -229,7 +229,7 @@ namespace Alate.Tests.Flight
             for (int step = 0; step < 50; step++)
             {
                 fastest = math.max(fastest, math.abs(reference.Step(new float3(0f, 0f, 0.4f), 0f, new float3(4f, 0f, 0f), default,
-                    m_Table, k_Step).turning));
+                    m_Table, true, k_Step).turning));
             }
 
             Assert.That(fastest, Is.EqualTo(10f).Within(1e-3f));
@@ -243,14 +243,14 @@ namespace Alate.Tests.Flight
             float alignedAt = 0f;
             for (int step = 0; step < 300 && alignedAt == 0f; step++)
             {
-                reference.Step(new float3(side, 0f, 0f), float.NaN, default, default, m_Table, k_Step);
+                reference.Step(new float3(side, 0f, 0f), float.NaN, default, default, m_Table, false, k_Step);
                 if (math.length(reference.Velocity) > 0.152f)
                     alignedAt = reference.Heading;
             }
 
             Assert.That(math.abs(side * 0.5f * math.PI - alignedAt), Is.InRange(0.45f, 0.6f));
             for (int step = 0; step < 300; step++)
-                reference.Step(new float3(side, 0f, 0f), float.NaN, default, default, m_Table, k_Step);
+                reference.Step(new float3(side, 0f, 0f), float.NaN, default, default, m_Table, false, k_Step);
             Assert.That(reference.Velocity.x, Is.EqualTo(side).Within(1e-3f));
         }
 
@@ -259,7 +259,7 @@ namespace Alate.Tests.Flight
         {
             FlightReference reference = Ahead(0.2f);
             for (int step = 0; step < 300; step++)
-                reference.Step(new float3(0f, float.NaN, 1f), float.NaN, default, default, m_Table, k_Step);
+                reference.Step(new float3(0f, float.NaN, 1f), float.NaN, default, default, m_Table, true, k_Step);
             Assert.That(math.length(reference.Velocity), Is.LessThan(1e-4f));
         }
 
@@ -281,9 +281,9 @@ namespace Alate.Tests.Flight
                 float3 wanted = 1.5f * same.NextFloat3(-1f, 1f), wind = 0.3f * same.NextFloat3(-1f, 1f),
                     error = 0.3f * same.NextFloat3(-1f, 1f);
                 float heading = same.NextBool() ? same.NextFloat(-2f, 2f) : float.NaN;
-                one.Step(wanted, heading, wind, error, m_Table, k_Step);
+                one.Step(wanted, heading, wind, error, m_Table, true, k_Step);
                 other.Step(math.rotate(turn, side * wanted), mirrored ? -heading : heading + by, math.rotate(turn, side * wind),
-                    side * error, m_Table, k_Step);
+                    side * error, m_Table, true, k_Step);
                 Assert.That(math.distance(math.rotate(turn, side * one.Velocity), other.Velocity), Is.LessThan(2e-3f), $"step {step}");
                 Assert.That(Headings.Wrap((mirrored ? -one.Heading : one.Heading + by) - other.Heading), Is.Zero.Within(5e-3f),
                     $"step {step}");
@@ -314,6 +314,6 @@ namespace Alate.Tests.Flight
         private static FlightReference Ahead(float speed) => new FlightReference(new float3(0f, 0f, speed), 0f, default);
 
         private void Step(ref FlightReference reference, float3 wanted) =>
-            reference.Step(wanted, float.NaN, default, default, m_Table, k_Step);
+            reference.Step(wanted, float.NaN, default, default, m_Table, true, k_Step);
     }
 }

@@ -32,7 +32,7 @@ namespace Alate.Tests.Flight
             float fastest = 0f, course = 0f;
             for (int step = 0; step < 200; step++)
             {
-                reference.Step(new float3(speed, 0f, 0f), float.NaN, default, default, m_Table, k_Step);
+                reference.Step(new float3(speed, 0f, 0f), float.NaN, default, default, m_Table, true, k_Step);
                 float now = math.atan2(reference.Velocity.x, reference.Velocity.z);
                 fastest = math.max(fastest, (now - course) / k_Step);
                 course = now;
@@ -62,7 +62,7 @@ namespace Alate.Tests.Flight
             float most = 0f, before = 0f;
             for (int step = 0; step < 200; step++)
             {
-                reference.Step(new float3(0f, 9f, speed), 0f, default, default, m_Table, k_Step);
+                reference.Step(new float3(0f, 9f, speed), 0f, default, default, m_Table, false, k_Step);
                 most = math.max(most, (reference.Velocity.y - before) / k_Step);
                 before = reference.Velocity.y;
             }
@@ -78,7 +78,7 @@ namespace Alate.Tests.Flight
         {
             var reference = new FlightReference(new float3(0f, 0f, 1f), 0f, default);
             for (int step = 0; step < 100; step++)
-                reference.Step(new float3(0f, 0f, 1f), 0f, new float3(0f, 0.2f, 0f), default, m_Table, k_Step);
+                reference.Step(new float3(0f, 0f, 1f), 0f, new float3(0f, 0.2f, 0f), default, m_Table, true, k_Step);
             Assert.That(reference.Velocity.y, Is.Zero.Within(1e-4f));
         }
 
@@ -88,11 +88,24 @@ namespace Alate.Tests.Flight
             var error = new float3(0f, -0.1f, -0.6f);
             var reference = new FlightReference(new float3(1f, 0f, 0f), 0.5f * math.PI, default);
             for (int step = 0; step < 30; step++)
-                reference.Step(new float3(1f, 0f, 0f), float.NaN, default, error, m_Table, k_Step);
+                reference.Step(new float3(1f, 0f, 0f), float.NaN, default, error, m_Table, false, k_Step);
             Assert.That(reference.Velocity.x, Is.InRange(0.3f, 0.8f));
             for (int step = 0; step < 200; step++)
-                reference.Step(new float3(1f, 0f, 0f), float.NaN, default, default, m_Table, k_Step);
+                reference.Step(new float3(1f, 0f, 0f), float.NaN, default, default, m_Table, false, k_Step);
             Assert.That(reference.Velocity.x, Is.EqualTo(1f).Within(1e-3f), "and gets its speed back");
+        }
+
+        // The less the more it is off, at 0.2 m/s and beyond a twentieth; a command that is not guarded waits for nobody.
+        [Test]
+        public void AnInsectThatHasNotFollowed_IsNotToldToGoOn([Values(0f, 0.05f, 0.15f, 0.5f)] float off, [Values(false, true)] bool guarded)
+        {
+            var wanted = new float3(0f, 0f, 0.4f);
+            var reference = new FlightReference(new float3(0f, 0f, 0.2f), 0f, default);
+            float told = reference.Step(wanted, 0f, default, off * new float3(0.6f, 0f, -0.8f), m_Table, guarded, k_Step).acceleration.z,
+                all = new FlightReference(new float3(0f, 0f, 0.2f), 0f, default)
+                    .Step(wanted, 0f, default, default, m_Table, false, k_Step).acceleration.z;
+            Assert.That(all, Is.GreaterThan(0.1f));
+            Assert.That(told / all, Is.EqualTo(guarded ? math.max(1f - off / 0.2f, 0.05f) : 1f).Within(1e-4f));
         }
 
         [TestCase(1f, 0.15f)]
@@ -103,8 +116,8 @@ namespace Alate.Tests.Flight
             FlightReference other = one;
             for (int step = 0; step < 100; step++)
             {
-                one.Step(new float3(0f, 0f, speed), 0f, default, default, m_Table, k_Step);
-                other.Step(new float3(0f, 0f, speed), 0f, default, new float3(0f, 0f, -error), m_Table, k_Step);
+                one.Step(new float3(0f, 0f, speed), 0f, default, default, m_Table, true, k_Step);
+                other.Step(new float3(0f, 0f, speed), 0f, default, new float3(0f, 0f, -error), m_Table, true, k_Step);
             }
 
             Assert.That(other.Velocity, Is.EqualTo(one.Velocity));

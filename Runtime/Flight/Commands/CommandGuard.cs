@@ -5,10 +5,10 @@ namespace Alate.Flight
 {
     /// <summary>
     /// Keeps commands within what insects fly: ahead. A fast insect that is to fly back brakes first; a slow one turns its nose, then
-    /// flies; sideways, backwards and down it flies slowly. Measured on the monarch, which tumbles from 0.2 m/s backwards, 0.3 m/s sideways
-    /// and 0.3 m/s straight down.
+    /// flies; sideways, backwards and down it flies slowly, and its nose turns no farther from its way than that allows. Measured on the
+    /// monarch, which tumbles from 0.2 m/s backwards, 0.3 m/s sideways and 0.3 m/s straight down.
     /// </summary>
-    internal static class NoseFirst
+    internal static class CommandGuard
     {
         /// <summary>Fastest flight across the nose, m/s.</summary>
         public const float MostAside = 0.12f;
@@ -38,26 +38,36 @@ namespace Alate.Flight
         /// <summary>Largest angle between the way and the wanted way, radians: an arc; and that from which the insect brakes.</summary>
         private const float k_Arc = 1f, k_Brake = 1.6f;
 
-        /// <summary>The command that comes next on the way to a wanted one.</summary>
-        public static FlightCommand Limit(FlightCommand command, in FlightSituation situation)
+        /// <summary>Limits what is wanted to what comes next on the way to it. All velocities are those through the air, m/s.</summary>
+        /// <param name="velocity">Wanted velocity.</param>
+        /// <param name="wanted">Wanted heading, radians; not a number follows the way.</param>
+        /// <param name="way">Velocity that is flown.</param>
+        /// <param name="heading">Heading that is flown, radians.</param>
+        public static void Limit(ref float3 velocity, ref float wanted, float3 way, float heading)
         {
-            float3 velocity = command.velocity;
-            if (!math.all(math.isfinite(velocity)))
-                return command;
-            float speed = math.length(velocity.xz), flown = math.length(situation.referenceVelocity.xz);
+            float speed = math.length(velocity.xz), flown = math.length(way.xz);
+            wanted = BesideTheWay(wanted, way.xz, flown);
             if (speed > 0.02f && flown > k_Slow)
-                velocity.xz = OnTheWay(velocity.xz, situation.referenceVelocity.xz, speed, flown);
+                velocity.xz = OnTheWay(velocity.xz, way.xz, speed, flown);
             else if (speed > 0.02f)
-                command.heading = Turn(ref velocity, command.heading, situation.heading, speed);
-            bool turns = flown <= k_Slow && math.abs(Headings.Wrap(command.heading - situation.heading)) > k_TurningAngle;
+                wanted = Turn(ref velocity, wanted, heading, speed);
+            bool turns = flown <= k_Slow && math.abs(Headings.Wrap(wanted - heading)) > k_TurningAngle;
             if (turns)
                 velocity.xz *= math.min(1f, k_TurningSpeed / math.max(math.length(velocity.xz), 1e-6f));
-            float turn = Headings.Wrap(command.heading - situation.heading);
+            float turn = Headings.Wrap(wanted - heading);
             if (flown <= k_Slow && math.abs(turn) > k_Ahead)
-                command.heading = situation.heading + k_Ahead * math.sign(turn);
+                wanted = heading + k_Ahead * math.sign(turn);
             velocity.y = math.clamp(velocity.y, -Sink(flown, turns), k_SlowClimb + k_MoreClimb * math.max(flown - k_Slow, 0f));
-            command.velocity = velocity;
-            return command;
+        }
+
+        // The nose turns so far from the way that the flight across it is no faster than allowed.
+        private static float BesideTheWay(float wanted, float2 way, float flown)
+        {
+            if (flown <= MostAside || !math.isfinite(wanted))
+                return wanted;
+            float share = MostAside / flown, course = Elementary.Atan2(way.x, way.y);
+            float most = Elementary.Atan2(share, math.sqrt(1f - share * share));
+            return course + math.clamp(Headings.Wrap(wanted - course), -most, most);
         }
 
         private static float Sink(float flown, bool turns) => turns ? k_SlowClimb : math.max(k_Sink, k_MoreSink * (flown - 2f * k_Slow));
