@@ -23,9 +23,9 @@ public static class SceneHashes
     private static readonly (string Name, ulong Held, Func<HashVariant, ulong> Run)[] s_Scenes =
     [
         ("tethered", 0x98c96ff603c03427, TetheredScene.Run),
-        ("free", 0x577254f62959808f, variant => FleetScene.Run(s_Flyers, false, k_FreeFrames, false, variant)),
-        ("wander", 0x75e7bdc518d9a745, variant => FleetScene.Run(s_Flyers, true, k_WanderFrames, false, variant)),
-        ("crowd", 0xb23946af3a2d4e9c, variant => FleetScene.Run(Crowd(), true, k_CrowdFrames, true, variant)),
+        ("free", 0x9ef654a77e1c425e, variant => FleetScene.Run(s_Flyers, false, k_FreeFrames, false, variant)),
+        ("wander", 0x8e78a2381bd40255, variant => FleetScene.Run(s_Flyers, true, k_WanderFrames, false, variant)),
+        ("crowd", 0x41a5d91137bc206f, variant => FleetScene.Run(Crowd(), true, k_CrowdFrames, true, variant)),
     ];
 
     /// <summary>Names of the scenes.</summary>

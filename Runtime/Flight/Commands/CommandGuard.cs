@@ -27,6 +27,9 @@ namespace Alate.Flight
         /// <summary>Speed above which the insect flies where it flies, whatever its nose, m/s.</summary>
         private const float k_Slow = 0.25f;
 
+        /// <summary>Least speed wanted that has a direction, m/s.</summary>
+        private const float k_Least = 0.02f;
+
         /// <summary>Speed wanted aside from which the nose is turned, m/s, and the angle of it, radians.</summary>
         private const float k_Turning = 0.2f, k_TurningAngle = 0.5f;
 
@@ -43,13 +46,16 @@ namespace Alate.Flight
         /// <param name="wanted">Wanted heading, radians; not a number follows the way.</param>
         /// <param name="way">Velocity that is flown.</param>
         /// <param name="heading">Heading that is flown, radians.</param>
-        public static void Limit(ref float3 velocity, ref float wanted, float3 way, float heading)
+        /// <param name="share">Share of the speeds along the ground that count for insects which fly: less for those that swim.</param>
+        public static void Limit(ref float3 velocity, ref float wanted, float3 way, float heading, float share)
         {
+            velocity.xz /= share;
+            way.xz /= share;
             float speed = math.length(velocity.xz), flown = math.length(way.xz);
             wanted = BesideTheWay(wanted, way.xz, flown);
-            if (speed > 0.02f && flown > k_Slow)
+            if (speed > k_Least && flown > k_Slow)
                 velocity.xz = OnTheWay(velocity.xz, way.xz, speed, flown);
-            else if (speed > 0.02f)
+            else if (speed > k_Least)
                 wanted = Turn(ref velocity, wanted, heading, speed);
             bool turns = flown <= k_Slow && math.abs(Headings.Wrap(wanted - heading)) > k_TurningAngle;
             if (turns)
@@ -58,6 +64,7 @@ namespace Alate.Flight
             if (flown <= k_Slow && math.abs(turn) > k_Ahead)
                 wanted = heading + k_Ahead * math.sign(turn);
             velocity.y = math.clamp(velocity.y, -Sink(flown, turns), k_SlowClimb + k_MoreClimb * math.max(flown - k_Slow, 0f));
+            velocity.xz *= share;
         }
 
         // The nose turns so far from the way that the flight across it is no faster than allowed.
@@ -65,8 +72,8 @@ namespace Alate.Flight
         {
             if (flown <= MostAside || !math.isfinite(wanted))
                 return wanted;
-            float share = MostAside / flown, course = Elementary.Atan2(way.x, way.y);
-            float most = Elementary.Atan2(share, math.sqrt(1f - share * share));
+            float sin = MostAside / flown, course = Elementary.Atan2(way.x, way.y);
+            float most = Elementary.Atan2(sin, math.sqrt(1f - sin * sin));
             return course + math.clamp(Headings.Wrap(wanted - course), -most, most);
         }
 
@@ -83,6 +90,7 @@ namespace Alate.Flight
             return math.min(speed, flown) * new float2(sin, cos);
         }
 
+        // Back, aside and down at once it flies less of each: what bounds them is an ellipsoid.
         private static float Turn(ref float3 velocity, float wantedHeading, float heading, float speed)
         {
             Elementary.SinCos(heading, out float sin, out float cos);
@@ -95,6 +103,9 @@ namespace Alate.Flight
             aside = math.clamp(aside, -most, most);
             velocity.x = ahead * sin + aside * cos;
             velocity.z = ahead * cos - aside * sin;
+            float back = math.min(ahead, 0f) * (1f / k_Back);
+            aside *= 1f / MostAside;
+            velocity.y = math.max(velocity.y, -math.max(k_Sink * math.sqrt(math.max(1f - back * back - aside * aside, 0f)), k_SlowClimb));
             return speed > k_Turning ? course : wantedHeading;
         }
     }

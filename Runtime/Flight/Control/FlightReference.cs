@@ -17,7 +17,7 @@ namespace Alate.Flight
         /// Share of the largest change of velocity that an insect follows at rest, and share of the top speed from which it follows all:
         /// trims change most where it is slow, and one that changes its speed faster than its beat can follow rocks.
         /// </summary>
-        private const float k_SlowShare = 0.35f, k_Nimble = 0.45f;
+        private const float k_SlowShare = 0.25f, k_Nimble = 0.45f;
 
         /// <summary>
         /// Speed above which the insect looks along its way and turns on an arc: m/s, and at most a share of the top speed.
@@ -40,10 +40,15 @@ namespace Alate.Flight
         private const float k_Lost = 0.15f, k_Yield = 6f;
 
         /// <summary>
-        /// Velocity error, m/s, at which the reference waits for the insect, and share of its rate that is left then: one that is told to
-        /// go on before it has followed rocks, overshoots and tumbles.
+        /// Velocity error, m/s, at which the reference waits for the insect, and share of its rate and of a slow insect's turning that is
+        /// left then: one that is told to go on before it has followed rocks, overshoots and tumbles.
         /// </summary>
         private const float k_Waits = 0.2f, k_LeastRate = 0.05f;
+
+        /// <summary>
+        /// Seconds in which the rate of a guarded reference sets in: one that jumps rocks a slow insect from its first beat.
+        /// </summary>
+        private const float k_SetsIn = 0.03f;
 
         /// <summary>Fastest turn into a gust, rad/s, and seconds in which the heading of a fast insect gets to its course.</summary>
         private const float k_MostCrabbing = 10f, k_Course = 0.03f;
@@ -130,18 +135,23 @@ namespace Alate.Flight
             if (isGuarded)
             {
                 wanted -= Wind;
-                CommandGuard.Limit(ref wanted, ref heading, m_Velocity - Wind, Heading);
+                CommandGuard.Limit(ref wanted, ref heading, m_Velocity - Wind, Heading, m_Cruising / k_Cruising);
                 wanted += Wind;
             }
 
+            float share = isGuarded ? math.max(1f - math.length(error) * (1f / k_Waits), k_LeastRate) : 1f;
             wanted.y = Climb(wanted.y, limits, dt);
             float3 target = OnAnArc(Bounded(wanted, table, limits), limits);
             float3 rate = Followed((target - m_Velocity) * (1f / k_Filter), limits);
             if (isGuarded)
-                rate *= math.max(1f - math.length(error) * (1f / k_Waits), k_LeastRate);
+            {
+                rate *= share;
+                rate = m_Rate + (1f - Elementary.Exp(-dt / k_SetsIn)) * (rate - m_Rate);
+            }
+
             m_Rate = rate;
             var reference = new BodyReference { velocity = m_Velocity, acceleration = rate };
-            Turn(heading, dt);
+            Turn(heading, share, dt);
             reference.heading = Heading;
             reference.turning = m_Turning;
             Heading += m_Turning * dt;
@@ -225,7 +235,7 @@ namespace Alate.Flight
             return new float3(turned.x + Wind.x, target.y, turned.y + Wind.z);
         }
 
-        private void Turn(float wanted, float dt)
+        private void Turn(float wanted, float share, float dt)
         {
             float2 air = (m_Velocity - Wind).xz;
             float speed = math.length(air);
@@ -242,7 +252,7 @@ namespace Alate.Flight
                 return;
             }
 
-            float turning = math.clamp(k_Turning * error, -k_MostTurning, k_MostTurning);
+            float turning = share * math.clamp(k_Turning * error, -k_MostTurning, k_MostTurning);
             m_Turning += (1f - Elementary.Exp(-dt / k_Filter)) * (turning - m_Turning);
         }
     }

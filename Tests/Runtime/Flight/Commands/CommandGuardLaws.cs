@@ -96,6 +96,32 @@ namespace Alate.Tests.Flight
                 Is.EqualTo(-0.1f).Within(1e-6f));
         }
 
+        // Down, aside and back at once stay within an ellipsoid of 0.15, 0.12 and 0.06 m/s; 0.03 m/s down is left.
+        [Test]
+        public void ASlowInsect_SinksLessWhereItGoesAsideOrBack([Values(0f, 0.06f, 0.1f, 0.12f)] float aside,
+            [Values(-0.06f, -0.04f, 0f, 0.1f)] float ahead)
+        {
+            if (aside == 0f && ahead == 0f)
+                return;
+            float sink = -Limit(FlightCommand.Fly(new float3(aside, -9f, ahead)), Situation(default, 0f)).velocity.y;
+            float back = math.min(ahead, 0f), all = (sink * sink / 0.0225f) + (aside * aside / 0.0144f) + (back * back / 0.0036f);
+            if (sink > 0.0301f)
+                Assert.That(all, Is.EqualTo(1f).Within(1e-4f));
+            else
+                Assert.That(all, Is.GreaterThan(0.999f));
+        }
+
+        // What swims is as slow as its top speed: along the ground the same limits at a share of the speeds.
+        [Test]
+        public void OfASlowKind_TheSpeedsAreAShare([Values(0.2f, 0.5f)] float share, [Values(0.5f, 1.5f, 3f)] float off)
+        {
+            float3 velocity = share * Along(off), whole = Along(off), way = 0.4f * Along(0f);
+            float heading = float.NaN, other = float.NaN;
+            CommandGuard.Limit(ref velocity, ref heading, share * way, 0f, share);
+            CommandGuard.Limit(ref whole, ref other, way, 0f, 1f);
+            Assert.That(math.distance(velocity.xz, share * whole.xz), Is.LessThan(1e-5f));
+        }
+
         [Test]
         public void AnInsectThatTurns_SinksNoMore()
         {
@@ -131,7 +157,7 @@ namespace Alate.Tests.Flight
 
         private static FlightCommand Limit(FlightCommand command, FlightSituation situation)
         {
-            CommandGuard.Limit(ref command.velocity, ref command.heading, situation.referenceVelocity, situation.heading);
+            CommandGuard.Limit(ref command.velocity, ref command.heading, situation.referenceVelocity, situation.heading, 1f);
             return command;
         }
 

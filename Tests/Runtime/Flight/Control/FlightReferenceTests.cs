@@ -95,18 +95,33 @@ namespace Alate.Tests.Flight
             Assert.That(reference.Velocity.x, Is.EqualTo(1f).Within(1e-3f), "and gets its speed back");
         }
 
-        // The less the more it is off, at 0.2 m/s and beyond a twentieth; a command that is not guarded waits for nobody.
+        // The less the more it is off, at 0.2 m/s and beyond a twentieth; a command that is not guarded waits for nobody. The rate sets in
+        // over 0.03 s.
         [Test]
-        public void AnInsectThatHasNotFollowed_IsNotToldToGoOn([Values(0f, 0.05f, 0.15f, 0.5f)] float off, [Values(false, true)] bool guarded)
+        public void AnInsectThatHasNotFollowed_IsNotToldToGoOn([Values(0f, 0.05f, 0.15f, 0.5f)] float off,
+            [Values(false, true)] bool guarded)
         {
             var wanted = new float3(0f, 0f, 0.4f);
-            var reference = new FlightReference(new float3(0f, 0f, 0.2f), 0f, default);
-            float told = reference.Step(wanted, 0f, default, off * new float3(0.6f, 0f, -0.8f), m_Table, guarded, k_Step).acceleration.z,
-                all = new FlightReference(new float3(0f, 0f, 0.2f), 0f, default)
-                    .Step(wanted, 0f, default, default, m_Table, false, k_Step).acceleration.z;
-            Assert.That(all, Is.GreaterThan(0.1f));
-            Assert.That(told / all, Is.EqualTo(guarded ? math.max(1f - off / 0.2f, 0.05f) : 1f).Within(1e-4f));
+            BodyReference told = FirstOf(wanted, 0f, off, guarded), all = FirstOf(wanted, 0f, 0f, false);
+            Assert.That(all.acceleration.z, Is.GreaterThan(0.1f));
+            float setsIn = guarded ? 1f - math.exp(-k_Step / 0.03f) : 1f;
+            Assert.That(told.acceleration.z / all.acceleration.z, Is.EqualTo(setsIn * Share(off, guarded)).Within(1e-4f));
         }
+
+        [Test]
+        public void ASlowInsectThatHasNotFollowed_IsNotTurnedOn([Values(0f, 0.05f, 0.15f, 0.5f)] float off,
+            [Values(false, true)] bool guarded)
+        {
+            BodyReference told = FirstOf(default, 0.25f, off, guarded), all = FirstOf(default, 0.25f, 0f, false);
+            Assert.That(all.turning, Is.GreaterThan(0.05f));
+            Assert.That(told.turning / all.turning, Is.EqualTo(Share(off, guarded)).Within(1e-4f));
+        }
+
+        private static float Share(float off, bool guarded) => guarded ? math.max(1f - off / 0.2f, 0.05f) : 1f;
+
+        private BodyReference FirstOf(float3 wanted, float heading, float off, bool guarded) =>
+            new FlightReference(new float3(0f, 0f, wanted.z * 0.5f), 0f, default)
+                .Step(wanted, heading, default, off * new float3(0.6f, 0f, -0.8f), m_Table, guarded, k_Step);
 
         [TestCase(1f, 0.15f)]
         [TestCase(0.2f, 0.6f)]
