@@ -21,8 +21,8 @@ public sealed class TwoOutputsTests
     public void Fly()
     {
         (m_Free, m_Held) = (new CommandRun(), new CommandRun());
-        Assert.That(m_Free.Run("fly", "monarch", "--free", "--to", "0.6,0.2,2", "--seconds", "3", "--step", "0.01", "--no-pictures", "--out", m_Free.Out),
-            Is.Zero, m_Free.Errors);
+        string[] flight = ["fly", "monarch", "--free", "--to", "0.6,0.2,2", "--seconds", "3", "--step", "0.01", "--no-pictures"];
+        Assert.That(m_Free.Run([.. flight, "--out", m_Free.Out]), Is.Zero, m_Free.Errors);
         Assert.That(m_Held.Run("fly", "monarch", "--speed", "1.2", "--climb", "0.3", "--pitch", "20", "--no-pictures", "--out", m_Held.Out),
             Is.Zero, m_Held.Errors);
     }

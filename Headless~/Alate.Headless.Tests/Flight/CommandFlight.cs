@@ -37,7 +37,7 @@ namespace Alate.Tests.FreeFlights
         /// <summary>Distance from the goal at the end, metres.</summary>
         public double Missed { get; private set; }
 
-        /// <summary>Flies straight for a goal in any direction, from any start speed, as fast as told until half a metre before it.</summary>
+        /// <summary>Flies for a goal in any direction, from any start speed, as fast as told until half a metre before it.</summary>
         public void ForAGoal(uint seed)
         {
             var random = new Unity.Mathematics.Random(seed * 747796405u + 1u);

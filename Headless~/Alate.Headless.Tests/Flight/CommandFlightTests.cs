@@ -1,12 +1,11 @@
 using System.Collections.Generic;
 using System.Linq;
-using Alate.Flight;
 using NUnit.Framework;
 using Unity.Mathematics;
 
 namespace Alate.Tests.FreeFlights
 {
-    /// <summary>Commands of people who do not know what insects fly: whatever is commanded, none tumbles or gets lost, without aid.</summary>
+    /// <summary>Commands of people who do not know what insects fly: no insect tumbles or gets lost by any of them, without aid.</summary>
     public sealed class CommandFlightTests
     {
         /// <summary>Longest tumble, seconds, and farthest way off the reference, metres, that count as none.</summary>

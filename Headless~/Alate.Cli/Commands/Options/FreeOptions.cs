@@ -30,7 +30,7 @@ internal sealed class FreeOptions
 
     private readonly Option<bool> m_Unguarded = new("--unguarded")
     {
-        Description = "With --free: follows commands that the insect cannot fly: backwards, sideways, straight down or by jumps it tumbles.",
+        Description = "With --free: follows commands that the insect cannot fly: backwards, sideways, straight down, by jumps it tumbles.",
     };
 
     private readonly Option<string> m_Record = new("--record")

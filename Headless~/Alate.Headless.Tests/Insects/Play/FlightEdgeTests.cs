@@ -18,22 +18,16 @@ namespace Alate.Tests.Play
         private static readonly string[] s_Fields = { "wind", "zone", "gravity", "velocity", "pilot", "heading", "metresPerUnit", "spot" };
 
         private readonly List<string> m_Warnings = new List<string>();
-        private Vector3 m_Gravity;
 
         [SetUp]
         public void Listen()
         {
             m_Warnings.Clear();
-            m_Gravity = Physics.gravity;
             Application.logMessageReceived += Hear;
         }
 
         [TearDown]
-        public void StopListening()
-        {
-            Application.logMessageReceived -= Hear;
-            Physics.gravity = m_Gravity;
-        }
+        public void StopListening() => Application.logMessageReceived -= Hear;
 
         [UnityTest]
         public IEnumerator AFieldThatIsNone_IsRefused_AndToldOnce(
@@ -56,7 +50,7 @@ namespace Alate.Tests.Play
 
             wings.Air.wind = default;
             zone.windMain = 0f;
-            Physics.gravity = m_Gravity;
+            Physics.gravity = Gravity;
             flight.Velocity = default;
             flight.Heading = float.NaN;
             flight.Pilot = null;

@@ -13,14 +13,6 @@ namespace Alate.Tests.Play
     /// <summary>Laws of the gizmos and the graphs of an insect that lives.</summary>
     public sealed class LiveGizmoLaws : PlayFixture
     {
-        private Vector3 m_Gravity;
-
-        [SetUp]
-        public void KeepGravity() => m_Gravity = Physics.gravity;
-
-        [TearDown]
-        public void GiveGravityBack() => Physics.gravity = m_Gravity;
-
         [UnityTest]
         public IEnumerator AxesOfALivingWing_AreThoseOfItsSkeleton_WithTheBody()
         {

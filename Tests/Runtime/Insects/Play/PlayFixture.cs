@@ -20,6 +20,9 @@ namespace Alate.Tests.Play
         /// </summary>
         protected virtual bool KeepsParts => false;
 
+        /// <summary>Gravity of the scene before the test, which comes back after it.</summary>
+        protected Vector3 Gravity { get; private set; }
+
         [SetUp]
         public void UseFixedFrames()
         {
@@ -27,6 +30,7 @@ namespace Alate.Tests.Play
             Time.captureDeltaTime = 1f / 60f;
             WingSystem.DetailCameras.Clear();
             WingSystem.Patience = 0f;
+            Gravity = Physics.gravity;
         }
 
         [OneTimeTearDown]
@@ -50,6 +54,7 @@ namespace Alate.Tests.Play
             m_Made.Clear();
             Time.timeScale = 1f;
             Time.captureDeltaTime = 0f;
+            Physics.gravity = Gravity;
             yield return Frames(3);
             Assert.That(WingSystem.Loop, Is.Null, "the system has outlived its insects");
             Assert.That(LivingMeshes.Count, Is.Zero, "living meshes were left behind");
