@@ -193,6 +193,45 @@ const cases = {
     await page.click('#reset');
     await wait(page, () => alate.panel.settings.values.speed === 1.3);
   },
+  // Another browser that opens the link shows the same.
+  async share() {
+    const look = (shown) => shown.evaluate(() => {
+      const { species, variant, compare, wake, values } = alate.panel.settings;
+      return JSON.stringify({ species, variant, compare, wake, values, view: alate.stage.view.map((number) => Number(number.toFixed(2))), shown: alate.stage.shown, pressed: [...document.querySelectorAll('#overlays [aria-pressed=true]')].map((chip) => chip.dataset.show), theme: document.documentElement.dataset.theme });
+    });
+    const one = await open(sizes.desktop, 'light');
+    await one.context().grantPermissions(['clipboard-read', 'clipboard-write']);
+    await one.selectOption('#species', 'dragonfly');
+    await wait(one, () => alate.scene?.name === 'dragonfly');
+    await one.selectOption('#variant', 'expressive');
+    await wait(one, () => alate.panel.settings.variant === 'expressive');
+    await one.focus('#slider-speed');
+    await one.keyboard.press('End');
+    await wait(one, () => alate.panel.settings.values.speed === 5);
+    for (const name of ['wake', 'chart', 'strain'])
+      await one.click(`[data-show=${name}]`);
+    await one.focus('#canvas');
+    for (const key of ['ArrowLeft', 'ArrowLeft', 'ArrowDown', '+'])
+      await one.keyboard.press(key);
+    await one.click('#theme');
+    await wait(one, () => alate.panel.settings.wake);
+    await one.click('#share');
+    await wait(one, () => document.getElementById('said').textContent.includes('copied'));
+    const link = await one.evaluate(() => navigator.clipboard.readText()), wanted = await look(one);
+    check(link === one.url() && link.startsWith(`${address}#species=dragonfly`), link);
+    const other = await browse.open(browser, link, problems, { viewport: sizes.phone });
+    const restored = () => wait(other, () => alate.scene?.name === 'dragonfly' && alate.panel.settings.values.speed === 5 && alate.panel.settings.wake);
+    await restored();
+    check(await look(other) === wanted, `${await look(other)} instead of ${wanted}`);
+    await other.evaluate(() => { location.hash = '#species=firefly'; });
+    await wait(other, () => alate.scene?.name === 'firefly' && !alate.panel.settings.wake);
+    check(await other.evaluate(() => document.querySelectorAll('#overlays [aria-pressed=true]').length) === 0, 'more is shown than the link says');
+    await other.evaluate((text) => { location.href = text; }, link);
+    await restored();
+    check(await look(other) === wanted, `pasted: ${await look(other)} instead of ${wanted}`);
+    await one.close();
+    await other.close();
+  },
   // A line stays until it is answered, and goes then.
   async errors() {
     const told = async () => {

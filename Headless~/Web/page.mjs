@@ -165,6 +165,28 @@ const cases = {
     }
   },
 
+  // What is written is what is read, and what is no link of the page says nothing.
+  async share() {
+    const same = (found, wanted, what) => {
+      if (JSON.stringify(found.map(String)) !== JSON.stringify(wanted))
+        throw new Error(`${what}: ${found} in place of ${wanted}`);
+    };
+    const { read, write } = await load('share.js');
+    const settings = { species: 'my-moth', variant: 'expressive', compare: true, wake: true, paused: true, values: { slow: 0.073, speed: -1.25, substeps: 40, delay: 1 / 3 } };
+    const link = read(write({ settings, view: [-0.68, 0.5, 4.12345], shown: new Set(['chart', 'skeleton']), theme: 'dark' }));
+    const { species, variant, compare, wake, values, ...others } = link.wanted;
+    same([species, variant, compare, wake, link.theme, ...link.shown], ['my-moth', 'expressive', 'true', 'true', 'dark', 'chart', 'skeleton'], 'settings');
+    same(Object.keys(values), Object.keys(settings.values), 'sliders');
+    Object.entries(settings.values).forEach(([name, number]) => near(values[name], number, name, 1e-6));
+    same(link.view, ['-0.68', '0.5', '4.123'], 'camera');
+    near(Object.keys(others).length, 0, 'a pause is not shared');
+    const plain = read(write({ settings: { ...settings, compare: false, wake: false }, view: [0, 0, 4], shown: new Set(), theme: null }));
+    same([plain.wanted.compare, plain.wanted.wake, plain.theme, plain.shown.length], ['false', 'false', 'null', '0'], 'nothing else');
+    const odd = read('#species=monarch&view=1,x,3&speed=fast&theme=blue');
+    same([odd.view, odd.theme, Object.keys(odd.wanted.values).length, 'variant' in odd.wanted], ['null', 'null', '0', 'false'], 'what is no number');
+    same([read(''), read('#'), read('#top')], ['null', 'null', 'null'], 'no link');
+  },
+
   async arrows() {
     const three = fake(), made = [];
     const { Stage } = await load('stage.js');

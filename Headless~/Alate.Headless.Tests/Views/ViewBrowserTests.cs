@@ -1,4 +1,5 @@
 using System;
+using System.Diagnostics;
 using System.IO;
 using System.Linq;
 using System.Threading.Tasks;
@@ -44,11 +45,26 @@ namespace Alate.Tests.Views
             "comparison", "overlays", "wake", "species", "files", "photographs", "insects", "badFiles", "phone", "reconnect");
 
         [Test]
-        public void AMinute_TakesNoMoreMemory() => Try("view.mjs", "memory");
+        public void TwoMinutes_TakeNoMoreMemory_OfThePageAndOfTheServer()
+        {
+            Task<(double Managed, double Private)> before = Measure("before"), after = Measure("after");
+            Try("view.mjs", "memory");
+            TestContext.Out.WriteLine($"Server: {before.Result} MB before two minutes, {after.Result} MB after");
+            Assert.That(after.Result.Managed, Is.LessThan(before.Result.Managed + 2.0), "managed");
+            Assert.That(after.Result.Private, Is.LessThan(before.Result.Private + 32.0), "all, of which the collector keeps some free");
+        }
+
+        private async Task<(double Managed, double Private)> Measure(string name)
+        {
+            await Appears(name);
+            double managed = 1e-6 * GC.GetTotalMemory(true);
+            using var process = Process.GetCurrentProcess();
+            return (managed, 1e-6 * process.PrivateMemorySize64);
+        }
 
         [Test]
         public void Page_IsForThoseToo_WhoSeeLittle_UseKeys_OrHoldAPhone() =>
-            Try("access.mjs", "offline", "withoutThree", "axe", "overflow", "contrast", "keyboard", "sliders", "errors");
+            Try("access.mjs", "offline", "withoutThree", "axe", "overflow", "contrast", "keyboard", "sliders", "share", "errors");
 
         // Serves until the script has ended; where it asks for it, stops and starts anew at the same port.
         private void Try(string script, params string[] cases)

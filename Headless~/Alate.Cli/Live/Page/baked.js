@@ -4,8 +4,9 @@ const RATE = 30;
 
 // Beats that were flown when this site was made: files beside the page, played in a loop.
 export class Baked {
-  constructor(listener) {
+  constructor(listener, wanted) {
     this.listener = listener;
+    this.wanted = wanted;
     this.set_ = { species: null, variant: 'standard', compare: false, paused: false, values: { slow: 0.1 } };
     this.received = 0;
     this.time = 0;
@@ -17,6 +18,8 @@ export class Baked {
     this.listener.status('baked');
     this.listener.hello(index);
     await this.set({ species: index.species[0].name });
+    if (this.wanted)
+      await this.set(this.wanted);
     let before = performance.now();
     const next = (now) => {
       if (now - before > 900 / RATE) {
@@ -36,7 +39,7 @@ export class Baked {
   }
 
   async set(change) {
-    const wanted = { ...this.set_, ...change, values: { ...this.set_.values, ...change.values } };
+    const wanted = { ...this.set_, ...change, values: { slow: change.values?.slow ?? this.set_.values.slow } };
     if ((change.species && !change.variant) || wanted.compare)
       wanted.variant = 'standard';
     const name = `${wanted.species}-${wanted.variant}${wanted.compare ? '-parts' : ''}`;
@@ -44,7 +47,7 @@ export class Baked {
       this.name = name;
       try {
         const [scene, frames] = await Promise.all([this.scene(`insects/${name}.json`), this.frames(`insects/${name}.bin`)]);
-        if (!change.values)
+        if (!change.values?.slow)
           wanted.values.slow = scene.settings.values.slow;
         this.frames_ = frames;
         this.hertz = frames[0].columns[0].hertz;

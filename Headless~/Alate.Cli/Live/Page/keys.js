@@ -7,6 +7,8 @@ export function listen(canvas, stage, pause) {
     '+': () => stage.approach(NEARER), '=': () => stage.approach(NEARER), '-': () => stage.approach(1 / NEARER), '_': () => stage.approach(1 / NEARER),
     PageUp: () => stage.approach(NEARER ** 3), PageDown: () => stage.approach(NEARER ** -3), Home: () => stage.home(), ' ': pause,
   };
+  const used = () => document.getElementById('hint')?.remove();
+  canvas.addEventListener('pointerdown', used, { once: true });
   canvas.addEventListener('keydown', (event) => {
     if (!moves[event.key] || event.ctrlKey || event.metaKey || event.altKey)
       return;

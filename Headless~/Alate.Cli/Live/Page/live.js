@@ -2,10 +2,10 @@ import { MAGIC, decode, magicOf } from './format.js';
 
 // The simulation behind a web socket. Comes back by itself when the server does, with what was set before.
 export class Live {
-  constructor(listener) {
+  constructor(listener, wanted) {
     this.listener = listener;
     this.wait = 500;
-    this.wanted = null;
+    this.wanted = wanted ?? null;
     this.received = 0;
     this.open();
   }

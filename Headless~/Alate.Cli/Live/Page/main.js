@@ -7,7 +7,8 @@ import * as message from './message.js';
 import { say } from './message.js';
 import { ramps, wake } from './overlays.js';
 import { Panel } from './panel.js';
-import { isDark } from './theme.js';
+import * as share from './share.js';
+import { choose, chosen, isDark } from './theme.js';
 
 const get = (id) => document.getElementById(id), isLive = document.documentElement.dataset.mode === 'live';
 
@@ -41,21 +42,27 @@ function labels(scene) {
 }
 
 function place(stage) {
-  const height = get('canvas').clientHeight, { across, down } = stage.grid(get('canvas').clientWidth, height);
+  const height = get('canvas').clientHeight, figures = ['chart', 'legend'].map(get).filter((figure) => !figure.hidden), names = [...get('labels').children];
+  const top = names.length > 0 ? document.querySelector('header').offsetTop + document.querySelector('header').offsetHeight + 4 : 0;
+  const bottom = figures.length > 0 ? height - Math.min(...figures.map((figure) => figure.offsetTop)) : 0;
+  const free = Math.max(height - top - bottom, height / 4), { across, down } = stage.grid(get('canvas').clientWidth, free);
   let room = 0;
-  [...get('labels').children].forEach((label, k) => {
+  names.forEach((label, k) => {
     label.style.left = `${100 * (k % across + 0.5) / across}%`;
-    label.style.top = `calc(${100 * Math.floor(k / across) / down}% + ${k < across ? (innerWidth > 760 ? 84 : 58) : 12}px)`;
+    label.style.top = `${top + Math.floor(k / across) * free / down + 4}px`;
     label.style.width = `${92 / across}%`;
-    room = Math.max(room, label.offsetTop - Math.floor(k / across) * height / down + label.offsetHeight);
+    room = Math.max(room, label.offsetHeight + 8);
   });
-  Object.assign(stage, { room, isOld: true });
+  Object.assign(stage, { room, inset: { top, bottom }, isOld: true });
 }
 
 // Of the colours of the mesh, or of those of the wake.
 function legend(field, state) {
   const strongest = state?.columns.flatMap(({ sheets }) => sheets ?? []).reduce((most, sheet) => Math.max(most, sheet.strongest), 0);
-  get('legend').hidden = !field && !strongest;
+  const isHidden = !field && !strongest, isChanged = get('legend').hidden !== isHidden;
+  get('legend').hidden = isHidden;
+  if (isChanged)
+    place(stage);
   if (get('legend').hidden)
     return;
   const most = Number((1e4 * strongest).toPrecision(2)), ramp = field ? ramps[field] : { ...wake, stops: [wake.stops[0], `${wake.stops[0]}00`, wake.stops[1]], low: `−${most}`, high: most, unit: ' cm²/s' };
@@ -78,6 +85,10 @@ if (stage) {
     set: (change) => source.set(change),
     save: () => source.save(),
     home: () => stage.home(),
+    share: async () => {
+      const isCopied = await share.copy(share.write({ settings: panel.settings, view: stage.view, shown, theme: chosen() }));
+      say(isCopied ? 'A link with all settings is copied.' : 'The address of this page has all settings now: copy it.', 'note');
+    },
     show: (name, on) => {
       if (name === 'compare' || name === 'wake') {
         source.set({ [name]: on });
@@ -94,6 +105,7 @@ if (stage) {
       stage.shown = { field: Object.keys(ramps).find((field) => shown.has(field)), skeleton: shown.has('skeleton'), loads: shown.has('loads'), forces: shown.has('forces') };
       legend(stage.shown.field, latest);
       get('chart').hidden = !shown.has('chart');
+      place(stage);
       if (latest)
         stage.setState(latest);
     },
@@ -161,8 +173,25 @@ if (stage) {
     },
   };
   const alate = window.alate = { stage, panel, get state() { return latest; }, get rate() { return rate; }, status: 'connecting' };
-  const source = isLive ? new Live(listener) : new Baked(listener);
+  let link = share.read(location.hash);
+  const restore = () => {
+    if (link?.theme)
+      choose(link.theme);
+    if (link?.view)
+      stage.view = link.view;
+    link?.shown.filter((name) => document.querySelector(`[data-show="${CSS.escape(name)}"]`)).forEach((name) => actions.show(name, true));
+  };
+  const source = isLive ? new Live(listener, link?.wanted) : new Baked(listener, link?.wanted);
   alate.source = source;
+  restore();
+  addEventListener('hashchange', () => {
+    link = share.read(location.hash);
+    if (!link)
+      return;
+    [...shown].forEach((name) => actions.show(name, false));
+    source.set(link.wanted);
+    restore();
+  });
 
   setInterval(() => {
     rate = counted;
@@ -171,7 +200,7 @@ if (stage) {
       get('status').textContent = `live, ${rate} states/s`;
     const column = latest?.columns[full];
     if (column)
-      get('readout').replaceChildren(...readout(column));
+      get('readout').replaceChildren(...readout(column, panel.settings?.values.slow ?? 1));
     if (shown.has('chart'))
       get('curves').setAttribute('aria-label', chart.summary());
     legend(stage.shown.field, latest);
@@ -186,8 +215,8 @@ if (stage) {
   requestAnimationFrame(draw);
 }
 
-function readout(column) {
-  const bold = document.createElement('b');
-  bold.textContent = `${Number(column.hertz.toPrecision(3))} Hz`;
-  return [bold, `\n${column.substeps} substeps a beat`];
+function readout(column, slow) {
+  const bold = document.createElement('b'), slower = 1 / slow;
+  bold.textContent = `${Number(column.hertz.toPrecision(3))} beats a second`;
+  return [bold, slower < 1.05 ? '\nin its own time' : `\nshown ${Number(slower.toPrecision(2))} times slower`];
 }

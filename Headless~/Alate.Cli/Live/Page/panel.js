@@ -12,6 +12,7 @@ export class Panel {
     get('species').onchange = (event) => actions.set({ species: event.target.value });
     get('variant').onchange = (event) => actions.set({ species: get('species').value, variant: event.target.value });
     get('pause').onclick = () => actions.set({ paused: !this.settings?.paused });
+    get('share').onclick = () => actions.share();
     get('home').onclick = () => actions.home();
     get('reset').onclick = () => actions.set({ species: this.settings.species, variant: this.settings.variant });
     get('save').onclick = () => actions.save();

@@ -1,7 +1,7 @@
 import { blob, colours, floats, wholes } from './format.js';
 import { Arrows, Sheet, heat, ramps } from './overlays.js';
 
-const HOME = { aside: 0.68, above: 0.5, distance: 4.1 }, HALF = Math.tan(Math.PI / 180 * 14);
+const HOME = [0.68, 0.5, 4.1], HALF = Math.tan(Math.PI / 180 * 14);
 
 // The insect in three dimensions: one for each column, seen by one camera.
 export class Stage {
@@ -32,7 +32,17 @@ export class Stage {
   }
 
   home() {
-    const { aside, above, distance } = HOME;
+    this.view = HOME;
+  }
+
+  // Of the camera: angles aside and above, radians, and distance.
+  get view() {
+    const at = new this.three.Spherical().setFromVector3(this.camera.position);
+    return [at.theta, Math.PI / 2 - at.phi, at.radius];
+  }
+
+  set view([aside, above, far]) {
+    const distance = Math.min(Math.max(far, this.controls.minDistance), this.controls.maxDistance);
     this.camera.position.set(distance * Math.cos(above) * Math.sin(aside), distance * Math.sin(above), distance * Math.cos(above) * Math.cos(aside));
     this.controls.target.set(0, 0, 0);
     this.controls.update();
@@ -219,10 +229,11 @@ export class Stage {
     attribute.needsUpdate = true;
   }
 
-  // Rows and columns of the panels.
+  // Rows and columns of the panels, as large as they can be.
   grid(width, height) {
-    const count = Math.max(this.columns.length, 1), across = width < 2.2 * height ? Math.ceil(Math.sqrt(count)) : count;
-    return { across, down: Math.ceil(count / across) };
+    const count = Math.max(this.columns.length, 1), down = (across) => Math.ceil(count / across), size = (across) => Math.min(width / across, height / down(across));
+    const across = Array.from({ length: count }, (_, k) => k + 1).reduce((best, other) => size(other) > size(best) ? other : best);
+    return { across, down: down(across) };
   }
 
   // Draws what has changed, or all of it again.
@@ -241,17 +252,20 @@ export class Stage {
     if (!this.isOld && !again)
       return;
     this.isOld = false;
-    const { across, down } = this.grid(width, height), w = width / across, cell = height / down;
+    // Between what is written above and below. One insect alone may reach beyond.
+    const { top = 0, bottom = 0 } = this.inset ?? {}, free = Math.max(height - top - bottom, height / 4), { across, down } = this.grid(width, free);
+    const isAlone = this.columns.length < 2, w = width / across, cell = free / down;
     // Below the names of the columns, which take at most half.
-    const h = cell - Math.min(this.room ?? 0, cell / 2);
+    const h = isAlone ? height : cell - Math.min(this.room ?? 0, cell / 2), least = isAlone ? free : h;
     this.camera.aspect = w / h;
-    this.camera.fov = 360 / Math.PI * Math.atan(HALF * Math.max(1, 1.15 / this.camera.aspect));
+    this.camera.fov = 360 / Math.PI * Math.atan(HALF * Math.max(1, 1.15 * least / w) * h / least);
+    this.camera.setViewOffset(w, h, 0, isAlone ? (bottom - top) / 2 : 0, w, h);
     this.camera.updateProjectionMatrix();
     this.columns.forEach((column, k) => {
       this.columns.forEach((other) => { other.group.visible = other === column; });
-      const left = k % across * w, bottom = height - (Math.floor(k / across) + 1) * cell;
-      this.renderer.setViewport(left, bottom, w, h);
-      this.renderer.setScissor(left, bottom, w, h);
+      const left = k % across * w, low = isAlone ? 0 : height - top - (Math.floor(k / across) + 1) * cell;
+      this.renderer.setViewport(left, low, w, h);
+      this.renderer.setScissor(left, low, w, h);
       this.renderer.render(this.scene, this.camera);
     });
   }

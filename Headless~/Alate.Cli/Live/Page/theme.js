@@ -3,6 +3,8 @@ const root = document.documentElement, system = matchMedia('(prefers-color-schem
 
 export const isDark = () => root.dataset.theme ? root.dataset.theme === 'dark' : system.matches;
 
+export const chosen = () => root.dataset.theme ?? null;
+
 export function choose(theme) {
   root.dataset.theme = theme;
   dispatchEvent(new Event('theme'));
