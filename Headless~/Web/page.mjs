@@ -172,10 +172,10 @@ const cases = {
         throw new Error(`${what}: ${found} in place of ${wanted}`);
     };
     const { read, write } = await load('share.js');
-    const settings = { species: 'my-moth', variant: 'expressive', compare: true, wake: true, paused: true, values: { slow: 0.073, speed: -1.25, substeps: 40, delay: 1 / 3 } };
+    const settings = { species: 'my-moth', variant: 'expressive', compare: true, wake: true, landing: false, paused: true, values: { slow: 0.073, speed: -1.25, substeps: 40, delay: 1 / 3 } };
     const link = read(write({ settings, view: [-0.68, 0.5, 4.12345], shown: new Set(['chart', 'skeleton']), theme: 'dark' }));
-    const { species, variant, compare, wake, values, ...others } = link.wanted;
-    same([species, variant, compare, wake, link.theme, ...link.shown], ['my-moth', 'expressive', 'true', 'true', 'dark', 'chart', 'skeleton'], 'settings');
+    const { species, variant, compare, wake, landing, values, ...others } = link.wanted;
+    same([species, variant, compare, wake, landing, link.theme, ...link.shown], ['my-moth', 'expressive', 'true', 'true', 'false', 'dark', 'chart', 'skeleton'], 'settings');
     same(Object.keys(values), Object.keys(settings.values), 'sliders');
     Object.entries(settings.values).forEach(([name, number]) => near(values[name], number, name, 1e-6));
     same(link.view, ['-0.68', '0.5', '4.123'], 'camera');

@@ -303,6 +303,27 @@ const cases = {
     await page.selectOption('#species', 'monarch');
     await wait(() => alate.scene?.name === 'monarch');
   },
+  async landing() {
+    await page.click('#landing');
+    await wait(() => alate.state.columns[0].place && alate.stage.columns[0].perch);
+    await page.evaluate(() => alate.source.set({ values: { slow: 1 } }));
+    check(await page.isHidden('[data-show=wake]') && await page.isHidden('#slider-speed') && await page.isVisible('#slider-slow'), 'what nothing computes can be set');
+    const far = await page.evaluate(() => Math.hypot(...alate.state.columns[0].place.at));
+    check(far > 0.3, `begins ${far} m from the flower`);
+    await wait(() => alate.state.columns[0].place.doing === 3, null, 60000);
+    await page.waitForTimeout(1200);
+    check((await page.textContent('#readout')).startsWith('sitting'), await page.textContent('#readout'));
+    const { from, to } = await page.evaluate(() => ({ from: alate.stage.columns[0].perch.object.position.toArray(), to: alate.stage.columns[0].group.position.toArray() }));
+    check(Math.hypot(...from.map((value, k) => value - to[k])) < 0.2, `${to} is not on ${from}`);
+    await page.click('#landing');
+    await wait(() => !alate.state.columns[0].place && !alate.stage.columns[0].perch);
+    check(await page.isVisible('[data-show=wake]') && await page.isVisible('#slider-speed'), 'the sliders do not come back');
+    await page.selectOption('#species', 'snailfish');
+    await wait(() => alate.scene?.name === 'snailfish');
+    check(await page.isDisabled('#landing'), 'a fish that lands');
+    await page.selectOption('#species', 'monarch');
+    await wait(() => alate.scene?.name === 'monarch');
+  },
   async badFiles() {
     const before = await page.evaluate(() => alate.scene.name);
     await drop('bad.obj', Buffer.from('v 0 0 0\nf 1 2 9\n'));

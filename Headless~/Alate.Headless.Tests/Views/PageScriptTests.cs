@@ -21,7 +21,7 @@ public sealed class PageScriptTests : ViewFixture
         File.WriteAllText(folder.PathOf("package.json"), "{\"type\":\"module\"}");
         Fly(async () =>
         {
-            foreach (string script in new[] { "format.js", "overlays.js", "chart.js", "share.js", "stage.js" })
+            foreach (string script in new[] { "format.js", "overlays.js", "perch.js", "chart.js", "share.js", "stage.js" })
                 File.WriteAllBytes(folder.PathOf(script), await Client.GetByteArrayAsync(script));
             await using ViewClient page = await ViewClient.Open(Server);
             await page.Say("{\"values\":{\"slow\":1}}");

@@ -42,7 +42,7 @@ namespace Alate.Tests.Views
         [Test]
         public void Page_DoesWhatItSays() => Try(
             "view.mjs", "beats", "rate", "slow", "speed", "wind", "amplitude", "frequency", "elasticity", "delay", "substeps", "pause",
-            "comparison", "overlays", "wake", "species", "files", "photographs", "insects", "badFiles", "phone", "reconnect");
+            "comparison", "overlays", "wake", "species", "files", "photographs", "insects", "landing", "badFiles", "phone", "reconnect");
 
         [Test]
         public void TwoMinutes_TakeNoMoreMemory_OfThePageAndOfTheServer()

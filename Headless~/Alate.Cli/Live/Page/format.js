@@ -1,11 +1,13 @@
 // Reads the states that the simulation sends: little-endian, metres, glTF's axes (X to the left of the insect, Y up, Z ahead).
-//   u32 magic, u32 columns, f64 simulated seconds, u32 number, u32 1 with wakes, 0 without
+//   u32 magic, u32 columns, f64 simulated seconds, u32 number, u32 1 with wakes + 2 with places
 //   each column: f32 phase, u32 beats, f32 hertz, f32 lift, f32 drag (weights), f32 flap (radians), u32 substeps of a beat, u32 wings
 //   each wing: u32 vertices, u32 joints, f32 reach, f32 force x 3 (weights), f32 x 3 joints, f32 x 3 loads (weights),
 //              i16 x 4 a vertex: place / reach, and attack in degrees * 256 + stretch in tenths of a per cent; i8 x 4 a vertex: normal
 //   with wakes, behind the wings of each column: u32 sheets, none before the first are done, else as many as wings
 //   each sheet: u32 rows, u32 points of a row, f32 reach, f32 strongest circulation (m²/s), i16 x 4 a point: place / reach, and circulation
 //              behind it / strongest, positive as a wing sheds it that the air pushes up; the first row lies at the trailing edge
+//   with places, behind that of each column: f32 x 3 from the perch to the middle of the thorax, f32 x 4 the body's turn (x y z w), u32 0 it flies,
+//              1 tumbles, 2 lands, 3 sits
 export const MAGIC = 0x54414c41, GLB = 0x46546c67;
 
 export function magicOf(buffer) {
@@ -14,7 +16,7 @@ export function magicOf(buffer) {
 
 export function decode(buffer) {
   const view = new DataView(buffer);
-  const state = { time: view.getFloat64(8, true), number: view.getUint32(16, true), columns: [] }, hasWakes = view.getUint32(20, true) === 1;
+  const state = { time: view.getFloat64(8, true), number: view.getUint32(16, true), columns: [] }, flags = view.getUint32(20, true);
   let at = 24;
   const number = () => view.getFloat32((at += 4) - 4, true);
   const whole = () => view.getUint32((at += 4) - 4, true);
@@ -32,10 +34,12 @@ export function decode(buffer) {
         places: take(Int16Array, 4 * vertices), normals: take(Int8Array, 4 * vertices),
       });
     }
-    for (let sheets = hasWakes ? whole() : 0; sheets > 0; sheets--) {
+    for (let sheets = flags & 1 ? whole() : 0; sheets > 0; sheets--) {
       const rows = whole(), width = whole(), reach = number(), strongest = number();
       column.sheets.push({ rows, width, reach, strongest, places: take(Int16Array, 4 * rows * width) });
     }
+    if (flags & 2)
+      column.place = { at: [number(), number(), number()], turn: [number(), number(), number(), number()], doing: whole() };
     state.columns.push(column);
   }
   return state;

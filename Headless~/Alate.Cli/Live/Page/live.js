@@ -43,8 +43,8 @@ export class Live {
     this.listener[message.type](message);
   }
 
-  remember({ species, variant, compare, paused, wake, values }) {
-    this.wanted = { species, variant, compare, paused, wake, values };
+  remember({ species, variant, compare, paused, wake, landing, values }) {
+    this.wanted = { species, variant, compare, paused, wake, landing, values };
   }
 
   set(change) {

@@ -135,6 +135,8 @@ if (stage) {
       get('catalogue').hidden = !scene.own;
       say(scene.remark, 'note');
       panel.show(scene.settings);
+      if (scene.settings.landing)
+        ['loads', 'attack', 'strain'].filter((name) => shown.has(name)).forEach((name) => actions.show(name, false));
       chart.clear();
       full = Math.max(scene.columns.findIndex((column) => column.title === 'Full model'), 0);
       labels(scene);
@@ -216,7 +218,7 @@ if (stage) {
 }
 
 function readout(column, slow) {
-  const bold = document.createElement('b'), slower = 1 / slow;
-  bold.textContent = `${Number(column.hertz.toPrecision(3))} beats a second`;
+  const bold = document.createElement('b'), doing = ['', 'tumbling', 'landing', 'sitting'][column.place?.doing ?? 0], slower = 1 / slow;
+  bold.textContent = doing || `${Number(column.hertz.toPrecision(3))} beats a second`;
   return [bold, slower < 1.05 ? '\nin its own time' : `\nshown ${Number(slower.toPrecision(2))} times slower`];
 }

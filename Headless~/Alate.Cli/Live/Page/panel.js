@@ -12,6 +12,7 @@ export class Panel {
     get('species').onchange = (event) => actions.set({ species: event.target.value });
     get('variant').onchange = (event) => actions.set({ species: get('species').value, variant: event.target.value });
     get('pause').onclick = () => actions.set({ paused: !this.settings?.paused });
+    get('landing').onclick = () => actions.set({ landing: !this.settings?.landing });
     get('share').onclick = () => actions.share();
     get('home').onclick = () => actions.home();
     get('reset').onclick = () => actions.set({ species: this.settings.species, variant: this.settings.variant });
@@ -66,6 +67,7 @@ export class Panel {
       this.actions.set({ values: { [slider.name]: Math.min(Math.max(number, min), max) } });
     };
     this.sliders.set(slider.name, {
+      row,
       set: (number) => {
         show(number);
         if (document.activeElement !== input)
@@ -88,8 +90,20 @@ export class Panel {
     get('pause').textContent = settings.paused ? 'Fly on' : 'Pause';
     this.press('compare', settings.compare);
     this.press('wake', Boolean(settings.wake));
+    this.land(settings);
     for (const [name, number] of Object.entries(settings.values))
       this.sliders.get(name)?.set(number);
+  }
+
+  // What lands flies by its own wings: nothing but time is set, and the air's loads on its wings are not told.
+  land({ species, landing }) {
+    get('landing').setAttribute('aria-pressed', Boolean(landing));
+    get('landing').disabled = !landing && !this.species?.find(({ name }) => name === species)?.lands;
+    get('reset').hidden = Boolean(landing);
+    for (const [name, { row }] of this.sliders)
+      row.hidden = Boolean(landing) && name !== 'slow';
+    for (const name of ['compare', 'loads', 'attack', 'strain', 'wake'])
+      document.querySelector(`[data-show=${name}]`).hidden = Boolean(landing);
   }
 
   press(name, on) {

@@ -1,12 +1,12 @@
 // All that a page shows, as the end of its address: #species=monarch&variant=standard&speed=2&view=0.68,0.5,4.1&show=chart,wake
-const NO_SLIDERS = ['species', 'variant', 'show', 'view', 'theme'];
+const SET = ['compare', 'wake', 'landing'], NO_SLIDERS = ['species', 'variant', 'show', 'view', 'theme'];
 
 // Settings of the simulation, angles (radians) and distance of the camera, names of what is shown, and light or dark where it was chosen.
 export function write({ settings, view, shown, theme }) {
   const parts = new URLSearchParams({ species: settings.species, variant: settings.variant });
   for (const [name, number] of Object.entries(settings.values))
     parts.set(name, Number(number.toPrecision(6)));
-  const all = [...shown, ...['compare', 'wake'].filter((name) => settings[name])];
+  const all = [...shown, ...SET.filter((name) => settings[name])];
   if (all.length > 0)
     parts.set('show', all.join());
   parts.set('view', view.map((number) => Number(number.toFixed(3))).join());
@@ -24,11 +24,11 @@ export function read(hash) {
   const view = (parts.get('view') ?? '').split(',').map(Number), theme = parts.get('theme');
   return {
     wanted: {
-      species: parts.get('species'), ...parts.get('variant') && { variant: parts.get('variant') }, compare: shown.includes('compare'), wake: shown.includes('wake'),
+      species: parts.get('species'), ...parts.get('variant') && { variant: parts.get('variant') }, ...Object.fromEntries(SET.map((name) => [name, shown.includes(name)])),
       values: Object.fromEntries(numbers.map(([name, text]) => [name, Number(text)])),
     },
     view: view.length === 3 && view.every(Number.isFinite) ? view : null,
-    shown: shown.filter((name) => name !== 'compare' && name !== 'wake'),
+    shown: shown.filter((name) => !SET.includes(name)),
     theme: theme === 'light' || theme === 'dark' ? theme : null,
   };
 }

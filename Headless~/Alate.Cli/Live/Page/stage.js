@@ -1,5 +1,6 @@
 import { blob, colours, floats, wholes } from './format.js';
 import { Arrows, Sheet, heat, ramps } from './overlays.js';
+import { Perch } from './perch.js';
 
 const HOME = [0.68, 0.5, 4.1], HALF = Math.tan(Math.PI / 180 * 14);
 
@@ -92,8 +93,11 @@ export class Stage {
       const forces = [new Arrows(THREE, 1, 0x0b7fc2, 0.03 * scene.reach), new Arrows(THREE, 1, 0xd9480f, 0.03 * scene.reach)];
       group.add(...wings.flatMap((wing) => [wing.mesh, wing.rim]), skeleton, loads.object, ...forces.map((arrow) => arrow.object));
       group.traverse((part) => { part.frustumCulled = false; });
+      const perch = scene.settings.landing ? new Perch(THREE) : null;
       this.scene.add(group);
-      this.columns.push({ group, wings, skeleton, loads, forces, sheets: [], title: column.title });
+      if (perch)
+        this.scene.add(perch.object);
+      this.columns.push({ group, perch, wings, skeleton, loads, forces, sheets: [], title: column.title });
     }
     this.reach = scene.reach;
   }
@@ -184,6 +188,8 @@ export class Stage {
           column.loads.set(arrow++, state.joints[k], state.joints[k + 1], state.joints[k + 2], state.loads[k], state.loads[k + 1], state.loads[k + 2], 3 * this.reach);
       }
     });
+    if (column.perch && from.place)
+      column.perch.place(column.group, from.place, this.reach);
     lines.needsUpdate = true;
     column.loads.update();
     this.shed(column, from.sheets);
@@ -272,11 +278,13 @@ export class Stage {
 
   clear() {
     for (const column of this.columns) {
-      this.scene.remove(column.group);
-      column.group.traverse((part) => {
-        part.geometry?.dispose();
-        part.material?.dispose();
-      });
+      for (const object of [column.group, column.perch?.object].filter(Boolean)) {
+        this.scene.remove(object);
+        object.traverse((part) => {
+          part.geometry?.dispose();
+          part.material?.dispose();
+        });
+      }
       column.wings.forEach((wing) => {
         wing.material.dispose();
         wing.plain.dispose();

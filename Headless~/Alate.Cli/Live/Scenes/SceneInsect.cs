@@ -13,8 +13,12 @@ internal sealed class SceneInsect : IDisposable
     /// <summary>Bit of a state that has a wake behind the wings of each column.</summary>
     private const uint k_WithWake = 1;
 
+    /// <summary>Bit of a state in which the insect of each column has a place of its own.</summary>
+    private const uint k_WithPlace = 2;
+
     private readonly List<InsectDefinition> m_Beside = [];
     private List<LiveFlight> m_Flights = [];
+    private PerchFlight m_Landing;
     private OwnWing m_Own;
     private uint m_Sequence;
 
@@ -42,8 +46,8 @@ internal sealed class SceneInsect : IDisposable
     {
         ViewSettings settings = request.Apply(Settings, m_Beside);
         bool isOther = settings.Species != Settings.Species || settings.Variant != Settings.Variant
-            || settings.IsCompared != Settings.IsCompared;
-        OwnWing own = settings.Species != Settings.Species || request.IsCatalogue ? null : m_Own;
+            || settings.IsCompared != Settings.IsCompared || settings.IsLanding != Settings.IsLanding;
+        OwnWing own = settings.Species != Settings.Species || request.IsCatalogue || settings.IsLanding ? null : m_Own;
         if (isOther || own != m_Own)
         {
             Scene = Make(settings, own);
@@ -72,7 +76,7 @@ internal sealed class SceneInsect : IDisposable
     /// <exception cref="UserException">The file is no wing; what flew flies on.</exception>
     public void Wear(string name, byte[] content)
     {
-        Scene = Make(Settings, OwnWing.Read(name, content));
+        Scene = Make(Settings with { IsLanding = false }, OwnWing.Read(name, content));
     }
 
     /// <summary>Takes the insect of a file, which is known from here on, and flies it.</summary>
@@ -124,9 +128,16 @@ internal sealed class SceneInsect : IDisposable
         state.Clear();
         state.Add(k_Magic);
         state.Add((uint)m_Flights.Count);
-        state.Add(m_Flights[0].Time);
+        state.Add(m_Landing?.Time ?? m_Flights[0].Time);
         state.Add(m_Sequence++);
-        state.Add(Settings.HasWake ? k_WithWake : 0u);
+        state.Add((Settings.HasWake ? k_WithWake : 0u) | (Settings.IsLanding ? k_WithPlace : 0u));
+        if (m_Landing != null)
+        {
+            m_Landing.Advance(seconds);
+            m_Landing.Write(state);
+            return;
+        }
+
         foreach (LiveFlight flight in m_Flights)
         {
             flight.Advance(seconds);
@@ -146,6 +157,7 @@ internal sealed class SceneInsect : IDisposable
 
     public void Dispose()
     {
+        m_Landing?.Dispose();
         m_Flights.ForEach(flight => flight.Dispose());
     }
 
@@ -153,11 +165,13 @@ internal sealed class SceneInsect : IDisposable
     {
         Insect insect = InsectOf(settings, own);
         var flights = new List<LiveFlight>();
+        PerchFlight landing = null;
         try
         {
             foreach (ComparisonColumn column in settings.Columns)
                 flights.Add(new LiveFlight(settings.Plan(column), insect));
             ShowWake(flights, settings.HasWake);
+            landing = settings.IsLanding ? new PerchFlight(settings.Flight.Definition, flights[0].Wings) : null;
         }
         catch
         {
@@ -165,8 +179,9 @@ internal sealed class SceneInsect : IDisposable
             throw;
         }
 
+        m_Landing?.Dispose();
         m_Flights.ForEach(flight => flight.Dispose());
-        (m_Flights, m_Own, Settings) = (flights, own, settings);
+        (m_Flights, m_Landing, m_Own, Settings) = (flights, landing, own, settings);
         string remark = own?.Remark ?? DoubtsOf(settings, flights[0].Wings);
         return SceneMessage.Scene(insect, flights[0].Wings, flights.Select(flight => flight.Column), settings, remark, own != null);
     }

@@ -17,6 +17,7 @@ internal static class SceneMessage
         {
             ["name"] = species.Name,
             ["title"] = species.DisplayName,
+            ["lands"] = PerchFlight.CanLand(species),
             ["variants"] = new JsonArray(species.Variants.Select(variant => (JsonNode)KnownSpecies.Word(variant)).ToArray()),
         }).ToArray()),
         ["sliders"] = new JsonArray(sliders.Select(slider => (JsonNode)new JsonObject
@@ -40,6 +41,7 @@ internal static class SceneMessage
         ["compare"] = settings.IsCompared,
         ["paused"] = settings.IsPaused,
         ["wake"] = settings.HasWake,
+        ["landing"] = settings.IsLanding,
         ["values"] = new JsonObject(ViewSlider.All.Select(slider => KeyValuePair.Create(slider.Name, (JsonNode)slider.Of(settings)))),
     };
 

@@ -12,7 +12,7 @@ internal sealed class ViewRequest
 
     private readonly Dictionary<string, double> m_Values = [];
     private string m_Species, m_Variant;
-    private bool? m_IsCompared, m_IsPaused, m_HasWake;
+    private bool? m_IsCompared, m_IsPaused, m_HasWake, m_IsLanding;
 
     private ViewRequest()
     {
@@ -51,23 +51,34 @@ internal sealed class ViewRequest
     /// <exception cref="UserException">There is no such species, variant or slider, or a value is out of its range.</exception>
     public ViewSettings Apply(ViewSettings settings, IReadOnlyList<InsectDefinition> beside = null)
     {
-        if (m_Species != null || m_Variant != null)
+        if (m_Species != null || m_Variant != null || (m_IsLanding ?? settings.IsLanding) != settings.IsLanding)
         {
-            InsectVariant variant = Variant();
-            (bool isCompared, bool hasWake) = (settings.IsCompared, settings.HasWake);
             string name = m_Species ?? settings.Species;
             InsectDefinition species = beside?.FirstOrDefault(known => known.Name == name) ?? KnownSpecies.FindInCatalogue(name);
-            settings = ViewSettings.Of(KnownSpecies.With(species, variant), variant);
-            settings = settings with { IsCompared = isCompared, HasWake = hasWake };
+            settings = Other(settings, species);
         }
 
         foreach ((string name, double value) in m_Values)
             settings = ViewSlider.Set(settings, name, value);
         return settings with
         {
-            IsCompared = m_IsCompared ?? settings.IsCompared,
+            // What lands has one column, and nothing is computed of its wake.
+            IsCompared = !settings.IsLanding && (m_IsCompared ?? settings.IsCompared),
             IsPaused = m_IsPaused ?? settings.IsPaused,
-            HasWake = m_HasWake ?? settings.HasWake,
+            HasWake = !settings.IsLanding && (m_HasWake ?? settings.HasWake),
+        };
+    }
+
+    // One that lands goes on landing with another insect, where that one lands too; another variant beats on the spot.
+    private ViewSettings Other(ViewSettings settings, InsectDefinition species)
+    {
+        if (m_IsLanding ?? (settings.IsLanding && m_Variant == null && PerchFlight.CanLand(species)))
+            return ViewSettings.Landing(species);
+        InsectVariant variant = Variant();
+        return ViewSettings.Of(KnownSpecies.With(species, variant), variant) with
+        {
+            IsCompared = settings.IsCompared,
+            HasWake = settings.HasWake,
         };
     }
 
@@ -103,6 +114,9 @@ internal sealed class ViewRequest
                 break;
             case "wake":
                 m_HasWake = property.Value.GetBoolean();
+                break;
+            case "landing":
+                m_IsLanding = property.Value.GetBoolean();
                 break;
             case "values":
                 foreach (JsonProperty value in property.Value.EnumerateObject())

@@ -21,6 +21,9 @@ internal sealed record ViewSettings
     /// <summary>True where the air behind the wings is shown.</summary>
     public bool HasWake { get; init; }
 
+    /// <summary>True where the insect flies to a perch and lands, in place of beating on the spot.</summary>
+    public bool IsLanding { get; init; }
+
     /// <summary>The columns to show.</summary>
     public IReadOnlyList<ComparisonColumn> Columns => IsCompared ? ComparisonColumn.All : [ComparisonColumn.FullModel];
 
@@ -39,6 +42,21 @@ internal sealed record ViewSettings
         };
         UnityEngine.Object.DestroyImmediate(preset);
         return settings;
+    }
+
+    /// <summary>A species that lands on a perch, slow enough for its beat to be seen at 30 states a second.</summary>
+    /// <exception cref="UserException">It does not land.</exception>
+    public static ViewSettings Landing(InsectDefinition species)
+    {
+        const double k_Slower = 4;
+        if (!PerchFlight.CanLand(species))
+        {
+            throw new UserException(
+                $"The {species.DisplayName} does not land: only insects of the catalogue that fly in air do. Choose another insect.");
+        }
+
+        ViewSettings settings = Of(species, InsectVariant.Flight);
+        return settings with { IsLanding = true, Slow = Math.Round(Math.Min(k_Slower * settings.Slow, 1), 3) };
     }
 
     /// <summary>The flight of a column.</summary>

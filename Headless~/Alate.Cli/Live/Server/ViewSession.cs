@@ -33,7 +33,7 @@ internal sealed class ViewSession(WebSocket socket, SimulationThread simulation,
         try
         {
             m_Insect = await simulation.Do(() => new SceneInsect(ViewSettings.Of(species, variant)));
-            await Send(SceneMessage.Hello(m_Insect.Known, ViewSlider.All), end.Token);
+            await Send(await simulation.Do(() => SceneMessage.Hello(m_Insect.Known, ViewSlider.All)), end.Token);
             await Send(m_Insect.Scene, end.Token);
             using var timer = new PeriodicTimer(TimeSpan.FromSeconds(1.0 / SceneInsect.Rate));
             while (await timer.WaitForNextTickAsync(end.Token))
@@ -93,7 +93,7 @@ internal sealed class ViewSession(WebSocket socket, SimulationThread simulation,
         if (DroppedInsect.Find(files) is { } insect)
         {
             await simulation.Do(() => m_Insect.Add(insect, files));
-            await Send(SceneMessage.Hello(m_Insect.Known, ViewSlider.All), stop);
+            await Send(await simulation.Do(() => SceneMessage.Hello(m_Insect.Known, ViewSlider.All)), stop);
         }
         else if (files.Count == 1)
         {
