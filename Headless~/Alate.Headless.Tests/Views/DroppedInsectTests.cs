@@ -110,5 +110,5 @@ public sealed class DroppedInsectTests : ViewFixture
         Assert.That(Found("wing.obj"), Is.Null);
     }
 
-    private static int Folders() => Directory.GetDirectories(Path.GetTempPath(), "alate-*").Length;
+    private static int Folders() => Directory.GetDirectories(Path.GetTempPath(), "alate-dropped-*").Length;
 }

@@ -27,7 +27,7 @@ internal static class DroppedInsect
     /// <exception cref="UserException">It is none, or names a file that was not dropped.</exception>
     public static InsectDefinition Read(DroppedFile insect, IReadOnlyList<DroppedFile> files)
     {
-        DirectoryInfo folder = Directory.CreateTempSubdirectory("alate-");
+        DirectoryInfo folder = Directory.CreateTempSubdirectory("alate-dropped-");
         try
         {
             string main = Write(folder.FullName, insect.Name, insect.Content);
