@@ -58,6 +58,7 @@ public static class Program
         try
         {
             using var held = HeldFolders.Begin();
+            using var read = ReadFiles.Begin();
             int code = parsed.Invoke(
                 new InvocationConfiguration { EnableDefaultExceptionHandler = false, Output = output, Error = errors });
             output.Flush();

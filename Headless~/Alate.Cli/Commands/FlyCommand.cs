@@ -1,4 +1,5 @@
 using System.CommandLine;
+using System.CommandLine.Parsing;
 
 namespace Alate.Cli;
 
@@ -17,22 +18,80 @@ internal static class FlyCommand
         options.AddTo(command);
         var free = new FreeOptions();
         free.AddTo(command);
+        var from = new Option<string>("--from")
+        {
+            HelpName = "FILE",
+            Description = "A summary.json of a flight, which is flown again: the same insect, options and seeds. Takes --out alone.",
+        };
         HelpExamples.Set(command, k_Examples);
+        command.Options.Add(from);
         command.SetAction(parsed =>
         {
-            if (free.IsFree(parsed))
+            if (parsed.GetValue(from) is not string file)
             {
-                options.CheckFree(parsed);
-                FreePlan flown = free.Plan(parsed, parsed.GetValue(species), options.Seconds(parsed), options.Folder(parsed));
-                FreeReport.Run(flown with { IsDrawn = options.IsDrawn(parsed) }, output);
+                Fly(parsed, null, options.Folder(parsed));
                 return 0;
             }
 
-            FlightPlan plan = options.Plan(parsed, parsed.GetValue(species));
-            FlightReport.Run(plan, output);
+            Option given = command.Options.FirstOrDefault(
+                option => option != from && option != options.Out && parsed.GetResult(option) is { Implicit: false });
+            if (given != null || parsed.GetValue(species) != null)
+                throw new UserException($"--from takes no {given?.Name ?? "SPECIES"}: the file says it. --out is the folder of the files.");
+            var run = FlownRun.Read(file);
+            if (run.Version != PackageRoot.Version)
+            {
+                output.WriteLine(
+                    $"Flown by version {Quote.Of(run.Version)[1..^1]}; this is {PackageRoot.Version}, whose numbers may differ.");
+            }
+
+            Fly(Parse(parsed, command, from, run, file), run, options.Folder(parsed));
             return 0;
         });
         return command;
+
+        void Fly(ParseResult parsed, FlownRun run, string folder)
+        {
+            string name = parsed.GetValue(species);
+            RunRecord record = run?.Record ?? new RunRecord(WordsOf(parsed, options.Out, free.Record));
+            if (free.IsFree(parsed))
+            {
+                options.CheckFree(parsed);
+                FreePlan flown = free.Plan(parsed, name, options.Seconds(parsed), folder, run?.Insect);
+                FreeReport.Run(flown with { IsDrawn = options.IsDrawn(parsed), Record = record }, output);
+            }
+            else
+            {
+                FlightReport.Run(options.Plan(parsed, name, run?.Insect) with { Folder = folder, Record = record }, output);
+            }
+        }
+    }
+
+    // Without the options that say where files go.
+    private static List<string> WordsOf(ParseResult parsed, params Option[] places)
+    {
+        var words = new List<string>();
+        bool isPlace = false;
+        foreach (Token token in parsed.Tokens)
+        {
+            if (token.Type == TokenType.Option)
+                isPlace = Array.Exists(places, place => place.Name == token.Value);
+            if (!isPlace)
+                words.Add(token.Value);
+            else if (token.Type != TokenType.Option)
+                isPlace = false;
+        }
+
+        return words;
+    }
+
+    // The recorded words as if they had been typed.
+    private static ParseResult Parse(ParseResult parsed, Command command, Option from, FlownRun run, string file)
+    {
+        ParseResult again = parsed.RootCommandResult.Command.Parse(
+            run.Record.Command, new ParserConfiguration { ResponseFileTokenReplacer = null });
+        string problem = again.CommandResult.Command != command || again.GetResult(from) is { Implicit: false }
+            ? "it is no command of 'fly'" : UsageProblem.Find(again);
+        return problem == null ? again : throw new UserException($"{file}: command: {problem}");
     }
 
     private const string k_Examples =
@@ -43,6 +102,7 @@ internal static class FlyCommand
         + "  fly monarch --free --to 1,0.5,4 --gust 1,0,0 --seconds 12\n"
         + "  fly monarch --free --pilot wander --gust 0,-2,0 --record gust.txt\n"
         + "  fly --free --replay gust.txt\n"
+        + "  fly --from out/monarch/summary.json --out again\n"
         + "  fly dragonfly --kinematics Documentation~/kinematics/dragonfly-flight-1.json --speed 0.685 --climb -0.146\n"
         + "  fly dragonfly --kinematics Documentation~/kinematics/dragonfly-tethered.json --speed 0 --induced-flow 1.2\n"
         + "  fly --mesh wing.obj --skeleton wing.json --species monarch --texture photo.png --out mine\n"
@@ -53,7 +113,7 @@ internal static class FlyCommand
         + "  wings.glb     that beat as a looped 3D animation (glTF 2.0), metres\n"
         + "  forces.csv    force and moment of the air over that beat, N and N m\n"
         + "  joints.csv    every joint of the skeleton over that beat, metres\n"
-        + "  summary.json  frequency, twist, camber, bend, lag, stretch, lift and cost\n"
+        + "  summary.json  frequency, twist, camber, bend, lag, stretch, lift, cost, and the whole run for --from\n"
         + "With --free: trajectory.csv, forces.csv, path.png (from above and from the side), flight.glb.\n\n"
         + "Exit code: 0 when all is written, 2 for bad usage or input (nothing is written then).\n";
 }

@@ -66,7 +66,7 @@ namespace Alate.Tests.Architecture
                     ["Measures"] = ["Files", "Insects", "Plans", "Runs"],
                     ["Free"] = ["Plans", "Runs"],
                     ["Pictures"] = ["Free", "Insects", "Measures", "Plans", "Runs"],
-                    ["Reports"] = ["Free", "Insects", "Measures", "Pictures", "Plans", "Runs"],
+                    ["Reports"] = ["Files", "Free", "Insects", "Measures", "Pictures", "Plans", "Runs"],
                 },
                 ["Alate.Cli/Bakes"] = new Dictionary<string, string[]>
                 {

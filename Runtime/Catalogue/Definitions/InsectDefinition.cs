@@ -44,6 +44,11 @@ namespace Alate.Catalogue
         /// <summary>Trim table of an insect that is not of the catalogue, as text; null for that of the catalogue.</summary>
         internal string Trims { get; set; }
 
+        /// <summary>Path and text of the file that says the insect; null for one of the catalogue.</summary>
+        internal string FilePath { get; set; }
+
+        internal string FileText { get; set; }
+
         /// <summary>Sources of the numbers.</summary>
         public IReadOnlyList<InsectSource> Sources { get; }
 

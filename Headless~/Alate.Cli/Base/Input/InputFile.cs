@@ -27,6 +27,7 @@ internal static class InputFile
                 throw new UserException($"Cannot read '{path}': it is empty, or no regular file.");
             if (length > most)
                 throw new UserException($"Cannot read '{path}': it is larger than {most >> 20} MiB.");
+            ReadFiles.Add(path);
             return new FileStream(path, FileMode.Open, FileAccess.Read, FileShare.ReadWrite | FileShare.Delete);
         }
         catch (FileNotFoundException)

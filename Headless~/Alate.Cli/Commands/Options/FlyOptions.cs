@@ -133,16 +133,22 @@ internal sealed class FlyOptions
     /// <summary>Returns true where pictures are wanted.</summary>
     public bool IsDrawn(ParseResult parsed) => !parsed.GetValue(m_NoPictures);
 
+    /// <summary>Option that names the folder of the files.</summary>
+    public Option Out => m_Out;
+
     /// <summary>Folder of the files; null for the default.</summary>
     public string Folder(ParseResult parsed) => parsed.GetValue(m_Out);
 
     /// <summary>Makes the plan that the user asked for.</summary>
     /// <exception cref="UserException">Options that exclude or need each other.</exception>
-    public FlightPlan Plan(ParseResult parsed, string species)
+    /// <param name="parsed">The command line.</param>
+    /// <param name="species">What it names.</param>
+    /// <param name="flown">The insect of a run that is flown again; null for that of the name.</param>
+    public FlightPlan Plan(ParseResult parsed, string species, InsectDefinition flown = null)
     {
         string name = species ?? parsed.GetValue(m_Species);
-        InsectDefinition named = InsectFile.IsNamed(name) ? KnownSpecies.Find(name)
-            : InsectCatalogue.TryFind(name, out InsectDefinition known) ? known : null;
+        InsectDefinition named = flown ?? (InsectFile.IsNamed(name) ? KnownSpecies.Find(name)
+            : InsectCatalogue.TryFind(name, out InsectDefinition known) ? known : null);
         var plan = new FlightPlan
         {
             Definition = named,

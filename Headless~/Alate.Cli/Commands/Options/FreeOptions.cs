@@ -45,6 +45,9 @@ internal sealed class FreeOptions
         Description = "With --free: a recorded flight, of --record or of a scene, that is flown again.",
     };
 
+    /// <summary>Option that names the file of a recording.</summary>
+    public Option Record => m_Record;
+
     private Option[] Flown => [m_Pilot, m_To, m_Points, m_Seed, m_Gust, m_Aid, m_Step, m_Unguarded];
 
     public void AddTo(Command command)
@@ -65,18 +68,23 @@ internal sealed class FreeOptions
 
     /// <summary>Makes the plan of the flight that the user asked for.</summary>
     /// <exception cref="UserException">Options that exclude or need each other, or a file that has no places.</exception>
-    public FreePlan Plan(ParseResult parsed, string species, double? seconds, string folder)
+    /// <param name="parsed">The command line.</param>
+    /// <param name="species">What it names.</param>
+    /// <param name="seconds">Time of the flight; null for the default.</param>
+    /// <param name="folder">Of the files; null for the default.</param>
+    /// <param name="flown">The insect of a run that is flown again; null for that of the name.</param>
+    public FreePlan Plan(ParseResult parsed, string species, double? seconds, string folder, InsectDefinition flown = null)
     {
         if (parsed.GetValue(m_Replay) is { } recorded)
-            return PlanReplay(parsed, recorded, species, seconds, folder);
+            return PlanReplay(parsed, recorded, species, seconds, folder, flown);
         double[] gust = parsed.GetValue(m_Gust);
         return new FreePlan
         {
             RecordFile = parsed.GetValue(m_Record),
             Options = string.Join(
                 ' ', Flown.Where(option => IsGiven(parsed, option)).Select(option => parsed.GetResult(option)).Select(Said)),
-            Insect = KnownSpecies.Find(
-                species ?? throw new UserException($"Which species? Known: {KnownSpecies.Names}."),
+            Insect = KnownSpecies.With(
+                flown ?? KnownSpecies.Find(species ?? throw new UserException($"Which species? Known: {KnownSpecies.Names}.")),
                 InsectVariant.Flight),
             Pilot = PilotOf(parsed),
             Points = PointsOf(parsed),
@@ -90,12 +98,13 @@ internal sealed class FreeOptions
         };
     }
 
-    private FreePlan PlanReplay(ParseResult parsed, string file, string species, double? seconds, string folder)
+    private FreePlan PlanReplay(
+        ParseResult parsed, string file, string species, double? seconds, string folder, InsectDefinition flown)
     {
         Option given = ((Option[])[.. Flown, m_Record]).FirstOrDefault(option => IsGiven(parsed, option));
         if (given != null || seconds != null)
             throw new UserException($"--replay takes no {given?.Name ?? "--seconds"}: the recording says it.");
-        InsectDefinition own = InsectFile.IsNamed(species) ? KnownSpecies.Find(species) : null;
+        InsectDefinition own = flown ?? (InsectFile.IsNamed(species) ? KnownSpecies.Find(species) : null);
         var replay = Replay.Read(file, own);
         if (species != null && !string.Equals(own?.Name ?? species, replay.Species.Name, StringComparison.OrdinalIgnoreCase))
             throw new UserException($"'{file}' was flown by the {replay.Species.Name}, not by '{species}'.");

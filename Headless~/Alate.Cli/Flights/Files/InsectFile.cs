@@ -27,22 +27,30 @@ internal sealed class InsectFile
     /// <exception cref="UserException">One cannot be read; the message names the file, the line, the key and what is allowed.</exception>
     public static InsectDefinition Read(string path)
     {
-        JsonPlace root = TextFile.Read(path, text =>
-        {
-            var place = JsonPlace.Read(text);
-            InsectKeys.File.Check(place);
-            return place;
-        });
+        string all = TextFile.Read(path, text => text.ReadToEnd());
         try
         {
-            InsectDefinition insect = new InsectFile(path, root).Define();
-            InsectFileLimits.Check(insect, root);
+            InsectDefinition insect = Read(JsonPlace.Read(new StringReader(all)), path);
+            (insect.FilePath, insect.FileText) = (path, all);
             return insect;
         }
         catch (FormatException problem)
         {
             throw new UserException($"{path}: {problem.Message}");
         }
+    }
+
+    /// <summary>Reads an insect that stands in a file of another kind.</summary>
+    /// <param name="root">The insect.</param>
+    /// <param name="path">File from whose folder its paths lead.</param>
+    /// <exception cref="FormatException">It is none; the message names the line, the key and what is allowed.</exception>
+    /// <exception cref="UserException">A file that it names cannot be read.</exception>
+    public static InsectDefinition Read(JsonPlace root, string path)
+    {
+        InsectKeys.File.Check(root);
+        InsectDefinition insect = new InsectFile(path, root).Define();
+        InsectFileLimits.Check(insect, root);
+        return insect;
     }
 
     private InsectDefinition Define()

@@ -5,26 +5,37 @@ using Alate.Flight;
 
 namespace Alate.Cli;
 
-/// <summary>Writes an insect of the catalogue as an insect file that says all of its numbers.</summary>
+/// <summary>Writes an insect as an insect file that says all of its numbers.</summary>
 internal static class InsectFileText
 {
     private static readonly JsonSerializerOptions s_Plain = new() { Encoder = JavaScriptEncoder.UnsafeRelaxedJsonEscaping };
 
-    /// <summary>The text of the file.</summary>
+    /// <summary>
+    /// The file of an insect of the catalogue, or of another file with all that this has from elsewhere; paths are as the file has them.
+    /// </summary>
     public static string Write(InsectDefinition insect)
     {
+        JsonNode said = insect.FileText == null ? null : JsonNode.Parse(insect.FileText);
         List<WingPreset> standard = Presets(insect, InsectVariant.Standard);
         JsonObject file = Numbers(insect, standard, null);
         file.Insert(0, InsectKeys.VersionKey, InsectKeys.Version);
         file.Insert(1, InsectKeys.Name, insect.Name);
         file.Insert(2, InsectKeys.DisplayName, insect.DisplayName);
-        file.Insert(3, InsectKeys.Like, insect.Name);
+        file.Insert(3, InsectKeys.Like, (string)said?[InsectKeys.Like] ?? insect.Name);
         foreach (WingDefinition wing in insect.Wings)
-            file[InsectKeys.Wings][wing.Name][InsectKeys.Hinge] = FilePlace.Node(wing.Hinge);
+        {
+            JsonNode own = file[InsectKeys.Wings][wing.Name];
+            own[InsectKeys.Hinge] = FilePlace.Node(wing.Hinge);
+            Copy(said?[InsectKeys.Wings]?[wing.Name], own, InsectKeys.Mesh, InsectKeys.Skeleton, InsectKeys.Texture, InsectKeys.Flexural,
+                InsectKeys.Torsional, InsectKeys.VeinWidths);
+        }
+
         file[InsectKeys.Body] = new JsonObject
         {
             [InsectKeys.Parts] = new JsonArray(insect.FlightParts.Select(Part).ToArray<JsonNode>()),
         };
+        Copy(said?[InsectKeys.Body], file[InsectKeys.Body], InsectKeys.Scale, InsectKeys.Mesh, InsectKeys.MeshUnit);
+        Copy(said, file, InsectKeys.Kinematics, InsectKeys.Trims);
         file[InsectKeys.Sources] = new JsonArray(insect.Sources.Select(Source).ToArray<JsonNode>());
         var variants = new JsonObject();
         foreach (InsectVariant variant in insect.Variants.Skip(1))
@@ -37,6 +48,16 @@ internal static class InsectFileText
         file[InsectKeys.Variants] = variants;
         standard.ForEach(UnityEngine.Object.DestroyImmediate);
         return Pretty(file);
+    }
+
+    // What no preset has.
+    private static void Copy(JsonNode said, JsonNode file, params string[] keys)
+    {
+        foreach (string key in keys)
+        {
+            if (said?[key] is { } value)
+                file[key] = value.DeepClone();
+        }
     }
 
     // Numbers that all wings have in common stand once; where there is a standard, only those that differ from it.

@@ -42,6 +42,9 @@ internal sealed record FreePlan
     /// <summary>Number of steps.</summary>
     public int Steps => Replay?.Recording.Steps.Count ?? (int)Math.Ceiling(Seconds / Step - 1e-9);
 
+    /// <summary>Record of the run, so that it can be flown again; null for none.</summary>
+    public RunRecord Record { get; init; }
+
     /// <summary>Null is out/SPECIES-free.</summary>
     public string Folder { get; init; }
 }

@@ -109,6 +109,9 @@ internal sealed record FlightPlan
     /// <summary>True where pictures are written.</summary>
     public bool IsDrawn { get; init; } = true;
 
+    /// <summary>Record of the run, so that it can be flown again; null for none.</summary>
+    public RunRecord Record { get; init; }
+
     /// <summary>Null is out/SPECIES.</summary>
     public string Folder { get; init; }
 

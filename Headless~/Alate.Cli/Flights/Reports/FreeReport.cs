@@ -35,7 +35,7 @@ internal static class FreeReport
             folder.Write(k_Trajectory, stream => CsvTable.Write(stream, TrajectoryTable.Of(record)));
             folder.Write(k_Forces, stream => CsvTable.Write(stream, ForceTable.Of(record)));
             folder.Write(k_Glb, stream => WingsGlb.Write(record.Beat, stream, record));
-            folder.Write(k_Summary, stream => FreeSummaryJson.Write(record, stream));
+            folder.Write(k_Summary, stream => FreeSummaryJson.Write(record, plan, stream));
         });
         if (plan.RecordFile != null)
             OutputFile.Write(plan.RecordFile, stream => stream.Write(Encoding.UTF8.GetBytes(RecordingText.Write(record.Recording))));

@@ -6,17 +6,14 @@ namespace Alate.Cli;
 /// <summary>summary.json of a free flight: where it went, how far off, at which power, and its tumbles.</summary>
 internal static class FreeSummaryJson
 {
-    public static void Write(FreeRecord record, Stream stream)
+    public static void Write(FreeRecord record, FreePlan plan, Stream stream)
     {
         using var json = new Utf8JsonWriter(stream, new JsonWriterOptions { Indented = true });
         FreeMoment last = record.Moments[^1];
         json.WriteStartObject();
         json.WriteString("species", record.Insect.Name);
         Number(json, "seconds", last.Time);
-        json.WriteStartArray("end_m");
-        foreach (float coordinate in new[] { last.Position.x, last.Position.y, last.Position.z })
-            json.WriteNumberValue(Rounded(coordinate));
-        json.WriteEndArray();
+        Vector(json, "end_m", last.Position);
         Number(json, "velocity_error_m_s", record.VelocityError);
         Number(json, "lift_over_weight", record.Moments.Average(at => at.Force.y) / record.Weight);
         Number(json, "upstroke_share", record.UpstrokeShare);
@@ -33,9 +30,42 @@ internal static class FreeSummaryJson
         }
 
         json.WriteEndArray();
+        WriteOptions(json, plan);
+        RunJson.Write(json, plan.Record, plan.Insect);
         json.WriteEndObject();
         json.Flush();
         stream.WriteByte((byte)'\n');
+    }
+
+    private static void WriteOptions(Utf8JsonWriter json, FreePlan plan)
+    {
+        json.WriteStartObject("options");
+        Number(json, "seconds", plan.Seconds);
+        if (plan.Replay == null)
+        {
+            json.WriteString("pilot", plan.Pilot.Name);
+            json.WriteStartArray("points_m");
+            foreach (float3 point in plan.Points)
+                Vector(json, null, point);
+            json.WriteEndArray();
+            json.WriteNumber("seed", plan.Seed);
+            Vector(json, "gust_m_s", plan.Gust);
+            Number(json, "aid", plan.Aid);
+            Number(json, "step_s", plan.Step);
+            json.WriteBoolean("guarded", plan.GuardsCommands);
+        }
+
+        json.WriteEndObject();
+    }
+
+    private static void Vector(Utf8JsonWriter json, string key, float3 value)
+    {
+        if (key != null)
+            json.WritePropertyName(key);
+        json.WriteStartArray();
+        foreach (float coordinate in new[] { value.x, value.y, value.z })
+            json.WriteNumberValue(Rounded(coordinate));
+        json.WriteEndArray();
     }
 
     private static void Number(Utf8JsonWriter json, string key, double value)

@@ -25,6 +25,7 @@ internal static class SummaryJson
         WriteOtherWings(json, summary);
         PlausibilityJson.Write(json, summary.Plausibility);
         WriteOptions(json, summary.Flight);
+        RunJson.Write(json, summary.Flight.Plan.Record, summary.Flight.Plan.Definition);
         json.WriteEndObject();
         json.Flush();
         stream.WriteByte((byte)'\n');
@@ -71,6 +72,10 @@ internal static class SummaryJson
         json.WriteNumber("speed_m_s", plan.Speed);
         json.WriteNumber("climb_m_s", plan.Climb);
         json.WriteNumber("pitch_deg", plan.PitchDegrees);
+        if (plan.Seconds is double seconds)
+            json.WriteNumber("seconds", seconds);
+        if (plan.KinematicsFile != null)
+            json.WriteString("kinematics", plan.KinematicsFile);
         json.WriteStartArray("wind_m_s");
         foreach (double component in plan.Wind)
             json.WriteNumberValue(component);
