@@ -20,7 +20,7 @@ internal static class InflowJson
         {
             WingInflow series = inflow.Wings[(wing.Wing.Name, wing.Placement.Side)];
             json.WriteStartObject();
-            json.WriteString("wing", WakeTable.NameOf(wing));
+            json.WriteString("wing", wing.SideAndName);
             Vector(json, "mean_m_s", series.mean);
             Vector(json, "cosine_1_m_s", series.cosine1);
             Vector(json, "sine_1_m_s", series.sine1);

@@ -20,7 +20,7 @@ internal static class SpanPicture
         for (int wing = 0; wing < wake.Wings.Count; wing++)
         {
             int at = wing;
-            string name = WakeTable.NameOf(wake.Wings[wing]);
+            string name = wake.Wings[wing].SideAndName;
             float top = k_Header + wing * k_Row;
             Map(page, beat, at, k_Edge, top, $"{name}: circulation, cm²/s", strip => 1e4 * strip.Circulation);
             Map(page, beat, at, k_Edge + k_Width + k_Between, top, $"{name}: air upwards, m/s",

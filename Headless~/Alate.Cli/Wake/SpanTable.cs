@@ -23,7 +23,7 @@ internal static class SpanTable
                 {
                     yield return
                     [
-                        Number(at.Turns), WakeTable.NameOf(wake.Wings[k]), Number(strip.Span), Number(strip.Circulation),
+                        Number(at.Turns), wake.Wings[k].SideAndName, Number(strip.Span), Number(strip.Circulation),
                         Number(strip.Force.x), Number(strip.Force.y), Number(strip.Force.z), Number(strip.Inflow.x),
                         Number(strip.Inflow.y), Number(strip.Inflow.z),
                     ];

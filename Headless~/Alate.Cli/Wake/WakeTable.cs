@@ -25,7 +25,7 @@ internal static class WakeTable
                 float3 without = FlownLoads.Force(still[k], at.Turns);
                 yield return
                 [
-                    Number(at.Turns), NameOf(shed[k]), Number(load.Force.x), Number(load.Force.y), Number(load.Force.z),
+                    Number(at.Turns), shed[k].SideAndName, Number(load.Force.x), Number(load.Force.y), Number(load.Force.z),
                     Number(load.Moment.x), Number(load.Moment.y), Number(load.Moment.z), Number(load.Power),
                     Number(without.x), Number(without.y), Number(without.z),
                     Number(load.Inflow.x), Number(load.Inflow.y), Number(load.Inflow.z),
@@ -61,9 +61,6 @@ internal static class WakeTable
             ];
         }
     }
-
-    /// <summary>Name of a wing: its kind and its side.</summary>
-    public static string NameOf(RecordedWing wing) => $"{(wing.Placement.IsLeft ? "left" : "right")} {wing.Wing.Name}";
 
     private static string Exact(double value) => value.ToString("0.0000", CultureInfo.InvariantCulture).Replace('-', '−');
 

@@ -29,7 +29,7 @@ namespace Alate.Tests.Cli
         [Test]
         public void Folder_HoldsTheSixFiles_AndNothingElse() => Assert.That(
             Directory.GetFileSystemEntries(m_Run.Out).Select(Path.GetFileName),
-            Is.EquivalentTo(new[] { "strip.png", "stretch.png", "wings.glb", "joints.csv", "forces.csv", "summary.json" }));
+            Is.EquivalentTo(new[] { "strip.png", "stretch.png", "wings.glb", "joints.csv", "forces.csv", "spanwise.csv", "summary.json" }));
 
         [TestCase("frequency_hz", 10.085, 10.086)] // 11 / (1 + exp(-16 (1.3 / 2 - 0.5))), Eq. 6 at its cruise of 1.3 m/s
         // Within 20 % of the limits of many substeps, Documentation~/convergence.md, and twist at most 10 % above; the largest bend is
@@ -146,7 +146,7 @@ namespace Alate.Tests.Cli
             Assert.That(run.Run("fly", "monarch", "--no-pictures", "--seconds", "0.2", "--speed", "0", "--out", run.Out), Is.Zero);
 
             Assert.That(Summary(run.Out).GetProperty("frequency_hz").GetDouble(), Is.EqualTo(8.8).Within(1e-3));
-            Assert.That(Directory.GetFileSystemEntries(run.Out), Has.Length.EqualTo(4));
+            Assert.That(Directory.GetFileSystemEntries(run.Out), Has.Length.EqualTo(5));
         }
 
         private static double Fly(string key, params string[] options)

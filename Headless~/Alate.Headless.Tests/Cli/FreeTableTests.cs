@@ -15,7 +15,10 @@ public sealed class FreeTableTests
     private static readonly FreeMoment s_Moment = new FreeMoment(
         1.25, new float3(1f, 2f, 3f), quaternion.identity, new float3(0.5f, -0.25f, 2f), new float3(4f, 5f, 6f),
         new float3(0.1f, 0.2f, 1.5f), new float3(0.5f, -0.25f, -1f),
-        Math.PI / 3.0, 10.5, 0.7, new float3(1e-3f, 5e-3f, -2e-3f), new float3(1e-5f, 2e-5f, 3e-5f), 0.03, 0.004, FlightState.Flying);
+        Math.PI / 3.0, 10.5, 0.7, new float3(1e-3f, 5e-3f, -2e-3f), new float3(1e-5f, 2e-5f, 3e-5f), 0.03, 0.004, FlightState.Flying)
+    {
+        WingPowers = [new WingPower(0.01, -0.03, 0.005), new WingPower(0.02, 0.03, 0.06)],
+    };
 
     [Test]
     public void TheTrajectory_IsInMetresDegreesAndHertz()
@@ -56,6 +59,9 @@ public sealed class FreeTableTests
 
         AssertAll(row, ("time_s", 1.25), ("phase_deg", 60), ("force_x_n", 1e-3), ("force_y_n", 5e-3), ("force_z_n", -2e-3));
         AssertAll(row, ("moment_x_nm", 1e-5), ("moment_y_nm", 2e-5), ("moment_z_nm", 3e-5), ("lift_n", 5e-3), ("power_w", 0.03));
+        AssertAll(row, ("inertial_power_w", 0), ("positive_power_w", 0.065), ("negative_power_w", -0.035));
+        AssertAll(row, ("right_fore_wing_power_w", 0.01), ("right_fore_wing_inertial_power_w", -0.03));
+        AssertAll(row, ("left_fore_wing_positive_power_w", 0.06), ("left_fore_wing_negative_power_w", -0.01));
         AssertAll(row, ("drag_n", 2e-3));
         Assert.That(Forces(s_Moment with { Wind = new float3(0.5f, -0.25f, 4f) })["drag_n"], Is.EqualTo("-2E-3"),
             "a wind from behind, faster than the insect");
@@ -109,7 +115,10 @@ public sealed class FreeTableTests
         Assert.That(FreeReport.Air(record), Is.EqualTo("mean lift 0.750 of the weight, 17 % of it on the upstroke; power 20 mW; aid 3 mW"));
     }
 
-    private static FreeRecord Record(params FreeMoment[] moments) => new FreeRecord(null, moments, new float3(0.1f, 0.2f, 0.4f), 1.0, null);
+    private static FreeRecord Record(params FreeMoment[] moments) => new FreeRecord(null, moments, new float3(0.1f, 0.2f, 0.4f), 1.0, null)
+    {
+        WingNames = ["right fore wing", "left fore wing"],
+    };
 
     private static Dictionary<string, string> Trajectory(FreeMoment moment) => Row(TrajectoryTable.Of(Record(moment)));
 

@@ -46,7 +46,7 @@ namespace Alate.Tests.Cli
             foreach ((string insect, string folder) in new[] { name, file }.Zip(folders))
                 Assert.That(run.Run("fly", insect, "--variant", word, "--seconds", beats, "--out", folder), Is.Zero, run.Errors);
             string[] names = Directory.GetFiles(folders[0]).Select(Path.GetFileName).ToArray();
-            Assert.That(names, Has.Length.EqualTo(6));
+            Assert.That(names, Has.Length.EqualTo(7));
             foreach (string one in names)
             {
                 byte[][] bytes = folders.Select(folder => Bytes(Path.Combine(folder, one))).ToArray();

@@ -15,7 +15,8 @@ namespace Alate.Tests.Cli
         {
             "frequency_hz", "twist_pp_deg", "camber_min_pct", "camber_max_pct", "tip_bend_pp_deg", "tip_bend_max_deg", "lag_deg",
             "tip_lag_deg",
-            "edge_stretch_max_pct", "edge_stretch_p99_pct", "lift_over_weight", "newton_iterations_mean", "resets", "us_per_substep",
+            "edge_stretch_max_pct", "edge_stretch_p99_pct", "lift_over_weight", "power_w", "positive_power_w", "negative_power_w",
+            "newton_iterations_mean", "resets", "us_per_substep",
         };
 
         [Test]

@@ -31,8 +31,11 @@ namespace Alate
                 // A steady stream changes its part across the surface where the surface turns.
                 SoaFloat3 stream = wind - SoaFloat3.Cross(body, scratch.carriedPositions[joint] + hinge);
                 float4 turned = SoaFloat3.Dot(stream, SoaFloat3.Cross(scratch.angularVelocity[bone], normal));
-                scratch.forces[joint] +=
+                SoaFloat3 force =
                     scratch.carriedFrames[joint].c1 * ((turned - rate) * pack.parameters->numbers.airDensity * pack.rig.addedMasses[joint]);
+                scratch.forces[joint] += force;
+                if (pack.recordedLoads != null)
+                    pack.RecordedAddedMass[joint] = force;
             }
         }
     }

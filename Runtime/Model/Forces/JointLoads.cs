@@ -7,7 +7,7 @@ namespace Alate
     /// </summary>
     internal static unsafe class JointLoads
     {
-        /// <summary>Fills forces, airDamping and torques, and adds force and moment of the air to the readings.</summary>
+        /// <summary>Fills forces, airDamping and torques, and adds force and moment of the air and powers to the readings.</summary>
         public static void Evaluate(in WingPack pack, in StepScratch scratch, in ImplicitStep step)
         {
             for (int joint = 0; joint < pack.rig.jointCount; joint++)
@@ -20,6 +20,7 @@ namespace Alate
             if (pack.options.addedMass)
                 AddedMass.Apply(pack, scratch, step);
             ReadAir(pack, scratch);
+            ReadPowers(pack, scratch, step);
             AddInertiaAndGravity(pack, scratch);
             if (pack.options.torqueArm == TorqueArm.OwnLoadAboutRoot)
                 TorquesAboutRoot(pack, scratch);
@@ -41,18 +42,27 @@ namespace Alate
             pack.readings->airMoment += moment;
             pack.air->force = force;
             pack.air->moment = moment;
-            float4 power = Power(pack, scratch);
-            pack.readings->airPower += power;
-            pack.air->power = power;
         }
 
-        // What the wing gives to the air: less force times velocity, the driven one and that of the deformation.
-        private static float4 Power(in WingPack pack, in StepScratch scratch)
+        // What the wing gives to the air, less force times velocity, and what its own mass takes, the rate of its kinetic energy. The
+        // velocity is the driven one and that of the deformation; a wing without a past has no rate.
+        private static void ReadPowers(in WingPack pack, in StepScratch scratch, in ImplicitStep step)
         {
-            float4 power = 0f;
+            float4 air = 0f, energy = 0f;
             for (int joint = 0; joint < pack.rig.jointCount; joint++)
-                power -= SoaFloat3.Dot(scratch.forces[joint], scratch.drivenVelocities[joint] + pack.motions[joint].velocity);
-            return power;
+            {
+                SoaFloat3 velocity = scratch.drivenVelocities[joint] + pack.motions[joint].velocity;
+                air -= SoaFloat3.Dot(scratch.forces[joint], velocity);
+                energy += 0.5f * pack.rig.jointMasses[joint] * SoaFloat3.LengthSquared(velocity);
+            }
+
+            PackReadings* readings = pack.readings;
+            float4 inertial = math.select((energy - readings->kineticEnergy) / step.dt, 0f, *pack.lastSubstep <= 0f);
+            readings->kineticEnergy = energy;
+            readings->airPower += air;
+            readings->inertialPower += inertial;
+            readings->positivePower += math.max(air + inertial, 0f);
+            pack.air->power = air;
         }
 
         // Eq. 5, 8 in the wing's own frame: the load of the driven motion, −κ m a; and m g of Eq. 4.

@@ -105,7 +105,7 @@ namespace Alate
                 return;
             if (on)
             {
-                long bytes = (long)view.rig.patchCount * sizeof(PatchLoad);
+                long bytes = (long)view.RecordedCount * sizeof(float4);
                 view.recordedLoads = (PatchLoad*)UnsafeUtility.MallocTracked(bytes, 64, Allocator.Persistent, 0);
                 UnsafeUtility.MemClear(view.recordedLoads, bytes);
                 return;

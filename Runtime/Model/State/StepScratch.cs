@@ -4,7 +4,7 @@ namespace Alate
 {
     /// <summary>Working memory of one substep: one block per worker, allocated once, sized for the largest rig.</summary>
     /// <remarks>
-    /// 214,208 bytes a worker for a monarch, and none a wing: what lives within a substep alone does not grow with the number of wings.
+    /// 215,424 bytes a worker for a monarch, and none a wing: what lives within a substep alone does not grow with the number of wings.
     /// Each array is on cache lines of its own, in the order in which the substep fills them.
     /// </remarks>
     internal unsafe struct StepScratch
@@ -89,7 +89,7 @@ namespace Alate
 
         /// <summary>State and patch loads of wings that wait while others of their pack take more substeps.</summary>
         public float4* waiting;
-        public PatchLoad* waitingLoads;
+        public float4* waitingLoads;
 
         /// <summary>Lays the arrays out one behind the other; with <paramref name="memory"/> null it only measures.</summary>
         /// <returns>Bytes needed.</returns>
@@ -153,7 +153,8 @@ namespace Alate
             scratch.pose = (JointPose*)carver.Carve<JointPose>(joints);
             // A chain has at least two joints.
             scratch.waiting = (float4*)carver.Carve<float4>(PackMemory.StateCount(joints, bones, joints));
-            scratch.waitingLoads = (PatchLoad*)carver.Carve<PatchLoad>(patches);
+            scratch.waitingLoads = (float4*)carver.Carve<float4>(
+                (patches * sizeof(PatchLoad) + joints * sizeof(SoaFloat3)) / sizeof(float4));
             return carver.Size;
         }
     }

@@ -8,7 +8,7 @@ namespace Alate
     /// </summary>
     /// <remarks>
     /// 680 bytes a pack, by value in the array of the step job: a kernel finds counts and arrays of its pack with one load. Behind it lies
-    /// one block, of 15,632 bytes a wing of a monarch, each array on cache lines of its own, of which the poses within the step are the
+    /// one block, of 15,648 bytes a wing of a monarch, each array on cache lines of its own, of which the poses within the step are the
     /// largest part: rendering takes any time within a step without stepping again. Every byte of the block belongs to a lane, so that a
     /// wing moves to another pack by copying each fourth float.
     /// </remarks>
@@ -112,7 +112,9 @@ namespace Alate
         /// <summary>Motion of each joint's frame against its driven one in the last substep.</summary>
         public JointMotion* motions;
 
-        /// <summary>Aerodynamic loads per patch of the last substep; null unless recording.</summary>
+        /// <summary>
+        /// Aerodynamic loads per patch of the last substep, and behind them <see cref="RecordedAddedMass"/>; null unless recording.
+        /// </summary>
         public PatchLoad* recordedLoads;
 
         /// <summary>[joint] Current pose, at the start of the next substep.</summary>
@@ -133,6 +135,12 @@ namespace Alate
 
         /// <summary>Number of substeps from slot to slot of each wing; the last slot may follow sooner.</summary>
         public float4 slotStride;
+
+        /// <summary>[joint] Force of the added mass in the last substep, wing mass · L/s²; only while recording.</summary>
+        public readonly SoaFloat3* RecordedAddedMass => (SoaFloat3*)(recordedLoads + rig.patchCount);
+
+        /// <summary>Number of float4 in what is recorded.</summary>
+        public readonly int RecordedCount => (rig.patchCount * sizeof(PatchLoad) + rig.jointCount * sizeof(SoaFloat3)) / sizeof(float4);
 
         /// <summary>Writes the parameters of one wing, which are in range.</summary>
         public readonly void Set(int lane, in WingParameters p)
@@ -179,7 +187,7 @@ namespace Alate
 
     /// <summary>Readings of four wings after their last step.</summary>
     /// <remarks>
-    /// 44 bytes a wing, apart from the state: the main thread reads them between steps, and kernels add to them once a substep.
+    /// 56 bytes a wing, apart from the state: the main thread reads them between steps, and kernels add to them once a substep.
     /// </remarks>
     internal struct PackReadings
     {
@@ -194,6 +202,17 @@ namespace Alate
 
         /// <summary>Power that the wing gives to the air, mean over the substeps of the last step, wing mass · L²/s³.</summary>
         public float4 airPower;
+
+        /// <summary>
+        /// Power that the motion of the wing's own mass takes, mean over the substeps of the last step, wing mass · L²/s³.
+        /// </summary>
+        public float4 inertialPower;
+
+        /// <summary>Mean of the positive part of both powers together, wing mass · L²/s³.</summary>
+        public float4 positivePower;
+
+        /// <summary>Kinetic energy of the joints in the last substep, against the body, wing mass · L²/s².</summary>
+        public float4 kineticEnergy;
 
         /// <summary>Spring energy (Eq. 12) at the end, wing mass · L²/s².</summary>
         public float4 springEnergy;

@@ -48,6 +48,8 @@ namespace Alate
             Clear(&pack.readings->airForce, lanes);
             Clear(&pack.readings->airMoment, lanes);
             pack.readings->airPower = math.select(pack.readings->airPower, 0f, lanes);
+            pack.readings->inertialPower = math.select(pack.readings->inertialPower, 0f, lanes);
+            pack.readings->positivePower = math.select(pack.readings->positivePower, 0f, lanes);
         }
 
         /// <summary>Finds the wings with a joint, deviation or bend rate that is not a number or infinite.</summary>

@@ -178,6 +178,8 @@ namespace Alate
             pack.readings->airForce = default;
             pack.readings->airMoment = default;
             pack.readings->airPower = default;
+            pack.readings->inertialPower = default;
+            pack.readings->positivePower = default;
             pack.readings->newtonIterations = default;
         }
 
@@ -188,6 +190,8 @@ namespace Alate
             pack.readings->airForce *= mean;
             pack.readings->airMoment *= mean;
             pack.readings->airPower *= mean;
+            pack.readings->inertialPower *= mean;
+            pack.readings->positivePower *= mean;
             pack.readings->newtonIterations *= mean;
             pack.readings->springEnergy = SpringEnergy.Elastic(pack, pack.pose, out pack.readings->stretch);
         }
@@ -206,17 +210,14 @@ namespace Alate
         {
             UnsafeUtility.MemCpy(scratch.waiting, pack.state, (long)pack.stateCount * sizeof(float4));
             if (pack.recordedLoads != null)
-                UnsafeUtility.MemCpy(scratch.waitingLoads, pack.recordedLoads, (long)pack.rig.patchCount * sizeof(PatchLoad));
+                UnsafeUtility.MemCpy(scratch.waitingLoads, pack.recordedLoads, (long)pack.RecordedCount * sizeof(float4));
         }
 
         private static void PutBack(in WingPack pack, in StepScratch scratch, bool4 lanes)
         {
             PutBack(pack.state, scratch.waiting, pack.stateCount, lanes);
             if (pack.recordedLoads != null)
-            {
-                int count = pack.rig.patchCount * (sizeof(PatchLoad) / sizeof(float4));
-                PutBack((float4*)pack.recordedLoads, (float4*)scratch.waitingLoads, count, lanes);
-            }
+                PutBack((float4*)pack.recordedLoads, scratch.waitingLoads, pack.RecordedCount, lanes);
         }
 
         private static void PutBack(float4* state, float4* waiting, int count, bool4 lanes)

@@ -61,6 +61,18 @@ namespace Alate
         /// <summary>Power that the wing gives to the air, mean over the last step, wing masses · L²/s³.</summary>
         public float AirPower => Readings->airPower[m_Lane];
 
+        /// <summary>
+        /// Power that the motion of the wing's own mass against the body takes, the rate of its kinetic energy, mean over the last step,
+        /// wing masses · L²/s³. Over a beat that repeats it is 0.
+        /// </summary>
+        public float InertialPower => Readings->inertialPower[m_Lane];
+
+        /// <summary>
+        /// Mean of the positive part of <see cref="AirPower"/> and <see cref="InertialPower"/> together over the substeps of the last step,
+        /// wing masses · L²/s³: what the muscles give where nothing stores what the wing gives back. The negative part is both less this.
+        /// </summary>
+        public float PositivePower => Readings->positivePower[m_Lane];
+
         /// <summary>Spring energy (Eq. 12), wing masses · L²/s².</summary>
         public float SpringEnergy => Readings->springEnergy[m_Lane];
 
@@ -140,6 +152,23 @@ namespace Alate
             return math.lerp(ahead, math.lerp(JointPosition(chain + 1, joint, alpha), JointPosition(chain + 1, joint + 1, alpha), v), u);
         }
 
+        /// <summary>Place of a patch along the span at rest, wing lengths from the hinge.</summary>
+        internal float PatchSpan(int patch) => m_Pack.rig.patchSpan[patch];
+
+        /// <summary>Area of a patch at rest, wing lengths².</summary>
+        internal float PatchArea(int patch) => m_Pack.rig.patchAreas[patch];
+
+        /// <summary>Place of a joint along the span at rest, wing lengths from the hinge.</summary>
+        internal float JointSpan(int joint) => m_Pack.rig.restJoints[joint].x;
+
+        /// <summary>Force of the added mass on a joint in the last substep, wing masses · L/s²; 0 without it.</summary>
+        /// <exception cref="InvalidOperationException">Patch loads are not kept.</exception>
+        internal float3 AddedMassForce(int joint)
+        {
+            Load(0);
+            return m_Pack.RecordedAddedMass[joint][m_Lane];
+        }
+
         /// <summary>Force on a patch in the last substep, wing masses · L/s².</summary>
         /// <exception cref="InvalidOperationException">Patch loads are not kept.</exception>
         public float3 PatchForce(int patch) => Load(patch)->force[m_Lane];
@@ -149,7 +178,8 @@ namespace Alate
         public float PatchAngleOfAttack(int patch) => Elementary.Asin(math.min(Load(patch)->sinAttack[m_Lane], 1f));
 
         /// <summary>
-        /// Adds the force of the air on each patch in the last substep to the four joints around it, as the step itself shares it out.
+        /// Adds the force of the air in the last substep to the joints: of each patch to the four around it, as the step itself shares it
+        /// out, and that of the added mass.
         /// </summary>
         /// <param name="loads">[chain · m + joint] Wing masses · L/s².</param>
         /// <exception cref="InvalidOperationException">Patch loads are not kept.</exception>
@@ -169,6 +199,9 @@ namespace Alate
                     loads[corner + joints + 1] += u * v * force;
                 }
             }
+
+            for (int joint = 0; joint < loads.Length; joint++)
+                loads[joint] += AddedMassForce(joint);
         }
 
         private BeatState* Beat => Current().beat;

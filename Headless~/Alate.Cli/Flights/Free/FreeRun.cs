@@ -21,11 +21,15 @@ internal static class FreeRun
             if (pilot != null)
                 recording.Steps.Add(Next(plan, flight, pilot));
             recording.Fly(flight, step, ref push);
-            moments.Add(Moment(flight));
+            moments.Add(Moment(flight) with { WingPowers = Powers(flight, model) });
             progress(step + 1);
         }
 
-        return new FreeRecord(plan.Insect, moments, model.Centre, model.Weight, Beat(plan, model, moments)) { Recording = recording };
+        return new FreeRecord(plan.Insect, moments, model.Centre, model.Weight, Beat(plan, model, moments))
+        {
+            Recording = recording,
+            WingNames = Names(plan.Insect, model),
+        };
     }
 
     private static FlightRecording NewRecording(FreePlan plan, FlightModel model) => new()
@@ -58,6 +62,24 @@ internal static class FreeRun
             wing.Phase, wing.Frequency,
             wing.Amplitude.x, flight.Force, flight.Moment, flight.Power, flight.AidPower, flight.State);
     }
+
+    // A scene may have its wings in another order: they are known by their sizes.
+    private static List<string> Names(InsectDefinition insect, FlightModel model)
+    {
+        var kinds = new List<(string Name, PresetSize Size)>();
+        foreach (WingDefinition wing in insect.Wings)
+        {
+            WingPreset preset = wing.CreatePreset(ModelReading.Physical, InsectVariant.Flight);
+            kinds.Add((wing.Name, preset.Size));
+            UnityEngine.Object.DestroyImmediate(preset);
+        }
+
+        return model.Wings.Select(wing => (wing.IsLeft ? "left " : "right ") + kinds.MinBy(kind =>
+            Math.Abs(kind.Size.wingLength / wing.Length - 1f) + Math.Abs(kind.Size.wingMass / wing.Mass - 1f)).Name).ToList();
+    }
+
+    private static WingPower[] Powers(FreeFlight flight, FlightModel model) => Enumerable.Range(0, flight.Wings.Count)
+        .Select(k => WingPower.Of(flight.World.Read(flight.Wings[k]), model.Wings[k].Mass, model.Wings[k].Length)).ToArray();
 
     // The beat of the flight's middle, on the spot: its shapes stand for those of the whole flight in pictures.
     private static FlightRecord Beat(FreePlan plan, FlightModel model, List<FreeMoment> moments)

@@ -10,6 +10,8 @@ internal sealed class FlightSummary
         Flight = flight;
         Wings = flight.Wings.Where(wing => !wing.Placement.IsLeft).Select(WingSummary.Of).ToList();
         (MeanForce, MeanMoment) = MeanAir(flight);
+        MeanPower = WingPower.Mean(
+            flight.Wings.SelectMany(wing => wing.Frames).Select(frame => frame.Power), flight.Wings[0].Frames.Count);
         LiftOverWeight = math.dot(MeanForce, flight.Plan.UpOfBody) / (flight.Wings[0].Wing.Preset.Size.insectMass * EarthGravity.Precise);
         NewtonIterationsMean = flight.Wings.SelectMany(wing => wing.Frames).Average(frame => frame.NewtonIterations);
         Resets = flight.Wings.Sum(wing => wing.Resets);
@@ -32,6 +34,9 @@ internal sealed class FlightSummary
     /// up.
     /// </summary>
     public float3 MeanMoment { get; }
+
+    /// <summary>Mean powers of all wings.</summary>
+    public WingPower MeanPower { get; }
 
     /// <summary>True where some wing is driven outside its limits: beyond 8 % at the 99th percentile or 25 % anywhere.</summary>
     public bool IsOverstretched => Overstretched != null;

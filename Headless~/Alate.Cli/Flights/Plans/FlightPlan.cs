@@ -94,7 +94,7 @@ internal sealed record FlightPlan
     /// <summary>A number of the species at another value; null changes none.</summary>
     public ParameterChange Change { get; init; }
 
-    /// <summary>True where frames have the air's loads on the joints and its angle of attack.</summary>
+    /// <summary>True where frames have the air's loads on joints and strips and its angle of attack.</summary>
     public bool RecordsAir { get; init; }
 
     /// <summary>Joints that do not bend: what is left is the drive with its wave.</summary>
@@ -191,6 +191,9 @@ internal sealed record FlightPlan
 
     /// <summary>The world's up as the body sees it.</summary>
     public float3 UpOfBody => ToBody(new float3(0f, 1f, 0f), math.radians((float)PitchDegrees));
+
+    /// <summary>Direction of the flight as the body sees it; zero on the spot.</summary>
+    public float3 WayOfBody => ToBody(math.normalizesafe(new float3(0f, (float)Climb, (float)Speed)));
 
     /// <summary>Velocity of the air against the body along the world's axes, m/s: right, up, ahead.</summary>
     public float3 AirPastBody => new((float)Wind[0], (float)(Wind[1] - Climb), (float)(Wind[2] - Speed));

@@ -3,23 +3,22 @@ using static Alate.Formats.CsvTable;
 namespace Alate.Cli;
 
 /// <summary>
-/// forces.csv: force and moment of the air after every step, newtons and newton metres. Lift is against gravity, drag against the flight;
-/// the half stroke is that of the flap.
+/// forces.csv: force and moment of the air and powers after every step, newtons, newton metres and watts. Lift is against gravity, drag
+/// against the flight; the half stroke is that of the flap; powers are those of all wings, then of each.
 /// </summary>
 internal static class ForceTable
 {
     private static readonly string[] s_Header =
     [
         "time_s", "phase_deg", "half_stroke", "force_x_n", "force_y_n", "force_z_n", "moment_x_nm", "moment_y_nm", "moment_z_nm", "lift_n",
-        "drag_n", "power_w",
+        "drag_n", "power_w", "inertial_power_w", "positive_power_w", "negative_power_w",
     ];
 
-    /// <summary>Rows of a flight on the spot, body axes about the middle of the thorax; a power is not measured there.</summary>
+    /// <summary>Rows of a flight on the spot, body axes about the middle of the thorax.</summary>
     public static IEnumerable<IReadOnlyList<string>> Of(FlightRecord flight)
     {
-        yield return s_Header;
-        float3 up = flight.Plan.UpOfBody;
-        var along = new float3(0f, (float)flight.Plan.Climb, (float)flight.Plan.Speed);
+        yield return Header(flight.Wings.Select(wing => wing.SideAndName));
+        float3 up = flight.Plan.UpOfBody, way = flight.Plan.WayOfBody;
         for (int k = 0; k < flight.Wings[0].Frames.Count; k++)
         {
             float3 force = default, moment = default;
@@ -32,20 +31,35 @@ internal static class ForceTable
             }
 
             RecordedFrame frame = flight.Wings[0].Frames[k];
-            float3 way = math.normalizesafe(up * along.y + math.normalizesafe(math.cross(new float3(1f, 0f, 0f), up)) * along.z);
-            yield return Row(frame.Time, frame.Phase, force, moment, math.dot(force, up), -math.dot(force, way), double.NaN);
+            WingPower[] powers = [.. flight.Wings.Select(wing => wing.Frames[k].Power)];
+            yield return Row(frame.Time, frame.Phase, force, moment, math.dot(force, up), -math.dot(force, way), powers);
         }
     }
 
     /// <summary>Rows of a free flight, forces along the world's axes, moments in body axes about the centre of mass.</summary>
     public static IEnumerable<IReadOnlyList<string>> Of(FreeRecord flight) => flight.Moments
         .Select(at => Row(
-            at.Time, at.Phase, at.Force, at.Moment, at.Force.y, -math.dot(at.Force, math.normalizesafe(at.Velocity - at.Wind)), at.Power))
-        .Prepend(s_Header);
+            at.Time, at.Phase, at.Force, at.Moment, at.Force.y, -math.dot(at.Force, math.normalizesafe(at.Velocity - at.Wind)),
+            at.WingPowers))
+        .Prepend(Header(flight.WingNames));
 
-    private static string[] Row(double time, double phase, float3 force, float3 moment, double lift, double drag, double power) =>
+    private static string[] Header(IEnumerable<string> wings) =>
+    [
+        .. s_Header,
+        .. wings.Select(wing => wing.Replace(' ', '_')).SelectMany(wing => new[]
+        {
+            $"{wing}_power_w", $"{wing}_inertial_power_w", $"{wing}_positive_power_w", $"{wing}_negative_power_w",
+        }),
+    ];
+
+    private static string[] Row(
+        double time, double phase, float3 force, float3 moment, double lift, double drag, IReadOnlyList<WingPower> powers) =>
     [
         Number(time), Number(180.0 / Math.PI * phase), phase < Math.PI ? "down" : "up", Number(force.x), Number(force.y), Number(force.z),
-        Number(moment.x), Number(moment.y), Number(moment.z), Number(lift), Number(drag), double.IsNaN(power) ? "" : Number(power),
+        Number(moment.x), Number(moment.y), Number(moment.z), Number(lift), Number(drag),
+        .. Powers(powers.Aggregate(default(WingPower), (sum, one) => sum + one)), .. powers.SelectMany(Powers),
     ];
+
+    private static string[] Powers(WingPower power) =>
+        [Number(power.Air), Number(power.Inertial), Number(power.Positive), Number(power.Negative)];
 }

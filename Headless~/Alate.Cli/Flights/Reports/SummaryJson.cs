@@ -14,6 +14,9 @@ internal static class SummaryJson
         Number(json, "lift_over_weight", summary.LiftOverWeight);
         Vector(json, "mean_force_n", summary.MeanForce);
         Vector(json, "mean_moment_n_m", summary.MeanMoment);
+        Number(json, "power_w", summary.MeanPower.Air);
+        Number(json, "positive_power_w", summary.MeanPower.Positive);
+        Number(json, "negative_power_w", summary.MeanPower.Negative);
         if (summary.Flight.Plan.Induced != null)
             Vector(json, "induced_velocity_m_s", summary.Flight.InducedVelocity);
         Number(json, "newton_iterations_mean", summary.NewtonIterationsMean);

@@ -37,5 +37,11 @@ internal sealed class RecordedFrame
     /// <summary>Mean angle of attack about 0.75 of the span, radians; only with <see cref="AirLoads"/>.</summary>
     public float Attack { get; init; }
 
+    /// <summary>Strips of the wing, from the hinge; only with <see cref="AirLoads"/>.</summary>
+    public SpanStrip[] Strips { get; init; }
+
+    /// <summary>Powers in the substep.</summary>
+    public WingPower Power { get; init; }
+
     public float NewtonIterations { get; init; }
 }

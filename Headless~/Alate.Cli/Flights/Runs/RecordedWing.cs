@@ -7,6 +7,9 @@ internal sealed class RecordedWing
     public WingMount Placement { get; init; }
     public WingParameters Parameters { get; set; }
 
+    /// <summary>Side and kind of the wing, such as 'left fore wing'.</summary>
+    public string SideAndName => $"{(Placement.IsLeft ? "left" : "right")} {Wing.Name}";
+
     /// <summary>[vertex] Wing frame, wing lengths.</summary>
     public float3[] Rest { get; init; }
 

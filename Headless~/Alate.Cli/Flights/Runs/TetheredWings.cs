@@ -65,7 +65,7 @@ internal sealed class TetheredWings : IDisposable
     /// <summary>Values of a wing in the last step.</summary>
     /// <param name="wing">Its number.</param>
     /// <param name="time">Seconds since the start of the flight.</param>
-    public RecordedFrame FrameOf(int wing, double time) => FrameOf(Read(wing), Vertices(wing), m_Frames[wing], time);
+    public RecordedFrame FrameOf(int wing, double time) => FrameOf(m_Wings[wing], Read(wing), Vertices(wing), m_Frames[wing], time);
 
     /// <summary>Frees the world and the rigs.</summary>
     public void Dispose() => World.Dispose();
@@ -153,8 +153,10 @@ internal sealed class TetheredWings : IDisposable
         }
     }
 
-    private static RecordedFrame FrameOf(in WingReading reading, NativeArray<SkinnedVertex> vertices, in WingFrame frame, double time)
+    private static RecordedFrame FrameOf(
+        RecordedWing wing, in WingReading reading, NativeArray<SkinnedVertex> vertices, in WingFrame frame, double time)
     {
+        PresetSize size = wing.Wing.Preset.Size;
         int chains = reading.ChainCount, joints = reading.JointsPerChain;
         var recorded = new RecordedFrame
         {
@@ -166,6 +168,8 @@ internal sealed class TetheredWings : IDisposable
             NewtonIterations = reading.NewtonIterations,
             AirLoads = reading.HasPatchLoads ? new float3[chains * joints] : null,
             Attack = reading.HasPatchLoads ? Attack(reading) : 0f,
+            Strips = reading.HasPatchLoads ? SpanStrip.Measure(reading, wing.Placement.Hinge / size.wingLength) : null,
+            Power = WingPower.Of(reading, size.wingMass, size.wingLength),
             Positions = new float3[vertices.Length],
             Normals = new float3[vertices.Length],
             Joints = new float3[chains * joints],
