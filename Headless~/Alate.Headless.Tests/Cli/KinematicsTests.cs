@@ -41,11 +41,11 @@ namespace Alate.Tests.Cli
         }
 
         [TestCase("{ 'frequency': 20 }", "frequency: unknown key; known: name, source, frequencyHz, angles, waves, wings.")]
-        [TestCase("{ 'angles': 'degrees', 'wings': {} }", "the file: 'frequencyHz' is missing.")]
-        [TestCase("{ 'frequencyHz': '20 Hz', 'angles': 'degrees', 'wings': {} }", "frequencyHz: it must be a number, not \"20 Hz\".")]
+        [TestCase("{ 'angles': 'degrees', 'wings': {} }", "line 1: 'frequencyHz' is missing.")]
+        [TestCase("{ 'frequencyHz': '20 Hz', 'angles': 'degrees', 'wings': {} }", "frequencyHz: it must be a number, not '20 Hz'.")]
         [TestCase("{ 'frequencyHz': 0, 'angles': 'degrees', 'wings': {} }", "frequencyHz: 0 is out of range: 0.1 to 1000 hertz.")]
         [TestCase("{ 'frequencyHz': 20, 'angles': 'turns', 'wings': {} }",
-            "angles: \"turns\" is no unit that is known: \"degrees\" or \"radians\".")]
+            "angles: 'turns' is no unit that is known: \"degrees\" or \"radians\".")]
         [TestCase(
             "{ 'frequencyHz': 20, 'angles': 'degrees', 'wings': {} }", "wings: it must be an object with the name of each wing, or 'all'.")]
         [TestCase("{ 'frequencyHz': 20, 'angles': 'degrees', 'wings': { 'all': { 'sweep': 1 } } }", "wings.all: 'flap' is missing.")]
@@ -55,19 +55,22 @@ namespace Alate.Tests.Cli
             "wings.all: 'feather' and 'pitch' exclude each other.")]
         [TestCase("{ 'frequencyHz': 20, 'angles': 'radians', 'wings': { 'all': { 'flap': 36 } } }",
             "wings.all.flap: 2062.648° is beyond 180°; see the unit in 'angles'.")]
-        [TestCase("{ 'frequencyHz': 20, 'angles': 'degrees', 'wings': { 'all': ", "not JSON at line 1, column 61.")]
-        [TestCase("[]", "it must be a JSON object.")]
+        [TestCase("{ 'frequencyHz': 20, 'angles': 'degrees', 'wings': { 'all': ", "line 1: not JSON at column 61.")]
+        [TestCase("{ 'frequencyHz': 20,\n 'frequencyHz': 21 }", "line 2, frequencyHz: the key stands there twice.")]
+        [TestCase("{ 'name': '\\ud800' }", "line 1, name: it is no Unicode.")]
+        [TestCase("[]", "line 1: it must be a JSON object.")]
         public void ABadFile_IsOneLine(string json, string message) => AssertRefused(json, message);
 
         [TestCase("{ 'harmonics': [[1, 2]] }", "wings.all.flap: 'mean' is missing.")]
         [TestCase(
-            "{ 'mean': 0, 'harmonics': [[1, 2, 3]] }", "wings.all.flap.harmonics[0]: it must be an amplitude and a phase, not [1, 2, 3].")]
+            "{ 'mean': 0, 'harmonics': [[1, 2, 3]] }", "wings.all.flap.harmonics[0]: it must be an amplitude and a phase, not 3 values.")]
         [TestCase("{ 'mean': 0, 'harmonics': [[1,2],[1,2],[1,2],[1,2],[1,2],[1,2],[1,2],[1,2],[1,2]] }",
             "wings.all.flap.harmonics: it has 9; at most 8 are taken.")]
         [TestCase("{ 'mean': 0, 'table': [] }", "wings.all.flap: a table excludes mean and harmonics.")]
         [TestCase("{ 'table': [[0, 1], [1, 1]] }", "wings.all.flap.table: it has 2 rows; a beat needs at least four, from 0 to 1.")]
         [TestCase(
-            "{ 'table': [[0, 1], [0.25, null], [0.5, 0], [0.75, 1], [1, 1]] }", "wings.all.flap.table[1]: it must be a number, not null.")]
+            "{ 'table': [[0, 1], [0.25, null], [0.5, 0], [0.75, 1], [1, 1]] }",
+            "wings.all.flap.table[1][1]: it must be a number, not null.")]
         [TestCase("{ 'table': [[0, 1], [0.2, 3], [0.4, 0], [0.8, 1], [1, 1]] }",
             "wings.all.flap.table: there is a hole between 0.4 and 0.8; the rows must lie equally apart.")]
         [TestCase("{ 'table': [[0, 1], [0.25, 3], [0.75, 1], [1, 1]] }",
@@ -163,7 +166,8 @@ namespace Alate.Tests.Cli
         }
 
         private static void AssertRefused(string json, string message) =>
-            Assert.That(() => Read(json), Throws.TypeOf<FormatException>().With.Message.EqualTo(message));
+            Assert.That(() => Read(json), Throws.TypeOf<FormatException>()
+                .With.Message.EqualTo(message.StartsWith("line ") ? message : $"line 1, {message}"));
 
         private static KinematicsFile Read(string json) => KinematicsJson.Read(new StringReader(json.Replace('\'', '"')));
     }

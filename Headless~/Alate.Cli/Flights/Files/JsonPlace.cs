@@ -51,7 +51,8 @@ internal sealed class JsonPlace
     }
 
     /// <summary>Problem of this value, with its line and path.</summary>
-    public FormatException Wrong(string problem) => new(Path.Length == 0 ? $"line {Line}: {problem}." : $"line {Line}, {Path}: {problem}.");
+    public FormatException Wrong(string problem) =>
+        new($"line {Line}{(Path.Length == 0 ? "" : $", {Path}")}: {problem}{(problem.EndsWith('?') ? "" : ".")}");
 
     /// <summary>The value as a message shows it.</summary>
     public string Shown => Kind switch

@@ -13,195 +13,159 @@ internal static class KinematicsJson
     /// <exception cref="FormatException">It is not such a file; the message names the place, the value and what is allowed.</exception>
     public static KinematicsFile Read(TextReader reader)
     {
-        JsonElement root = Root(reader);
-        Known(root, "", "name", "source", k_Frequency, k_Angles, "waves", "wings");
-        double frequency = Number(Needed(root, "", k_Frequency), k_Frequency);
+        var root = JsonPlace.Read(reader);
+        if (!root.IsObject)
+            throw root.Wrong("it must be a JSON object");
+        Known(root, "name", "source", k_Frequency, k_Angles, "waves", "wings");
+        JsonPlace beat = Needed(root, k_Frequency);
+        double frequency = Number(beat);
         if (!((float)frequency >= WingBounds.MaxFrequency.Min && (float)frequency <= WingBounds.MaxFrequency.Max))
         {
-            throw Wrong(k_Frequency, FormattableString.Invariant(
+            throw beat.Wrong(FormattableString.Invariant(
                 $"{frequency} is out of range: {WingBounds.MaxFrequency.Min} to {WingBounds.MaxFrequency.Max} hertz"));
         }
-        double unit = Unit(Needed(root, "", k_Angles));
-        bool waves = root.TryGetProperty("waves", out JsonElement wave) && Flag(wave, "waves");
-        JsonElement all = Needed(root, "", "wings");
-        if (all.ValueKind != JsonValueKind.Object || !all.EnumerateObject().Any())
-            throw Wrong("wings", "it must be an object with the name of each wing, or 'all'");
+        double unit = Unit(Needed(root, k_Angles));
+        bool waves = root["waves"] is { } wave && Flag(wave);
+        JsonPlace all = Needed(root, "wings");
+        if (!all.IsObject || all.Members.Count == 0)
+            throw all.Wrong("it must be an object with the name of each wing, or 'all'");
         var wings = new Dictionary<string, PresetKinematics>();
-        foreach (JsonProperty wing in all.EnumerateObject())
+        foreach ((string name, JsonPlace wing) in all.Members)
         {
-            PresetKinematics motion = Motion(wing.Value, $"wings.{wing.Name}", unit);
+            PresetKinematics motion = Motion(wing, unit);
             motion.prescribed = true;
             motion.waves = waves;
             motion.frequency = (float)frequency;
-            if (!wings.TryAdd(wing.Name, motion))
-                throw Wrong($"wings.{wing.Name}", "it stands there twice");
+            wings.Add(name, motion);
         }
 
         return new KinematicsFile(Text(root, "name"), Text(root, "source"), wings);
     }
 
-    private static JsonElement Root(TextReader reader)
+    private static PresetKinematics Motion(JsonPlace wing, double unit)
     {
-        try
-        {
-            JsonElement root = JsonDocument.Parse(reader.ReadToEnd()).RootElement;
-            return root.ValueKind == JsonValueKind.Object ? root : throw new FormatException("it must be a JSON object.");
-        }
-        catch (JsonException problem)
-        {
-            throw new FormatException($"not JSON at line {problem.LineNumber + 1}, column {problem.BytePositionInLine + 1}.");
-        }
-    }
-
-    private static PresetKinematics Motion(JsonElement wing, string place, double unit)
-    {
-        if (wing.ValueKind != JsonValueKind.Object)
-            throw Wrong(place, "it must be an object with flap and, where they are not 0, sweep, feather or pitch, tilt or strokePlane");
-        Known(wing, place, "flap", "sweep", "feather", "pitch", "tilt", "strokePlane");
-        Exclusive(wing, place, "feather", "pitch");
-        Exclusive(wing, place, "tilt", "strokePlane");
+        if (!wing.IsObject)
+            throw wing.Wrong("it must be an object with flap and, where they are not 0, sweep, feather or pitch, tilt or strokePlane");
+        Known(wing, "flap", "sweep", "feather", "pitch", "tilt", "strokePlane");
+        Exclusive(wing, "feather", "pitch");
+        Exclusive(wing, "tilt", "strokePlane");
         PresetKinematics motion = default;
-        motion.flap = Series(Needed(wing, place, "flap"), $"{place}.flap", unit);
-        motion.sweep = Optional(wing, place, "sweep", unit);
-        motion.feather = wing.TryGetProperty("pitch", out JsonElement pitch)
-            ? Turned(Series(pitch, $"{place}.pitch", unit), 0f)
-            : Optional(wing, place, "feather", unit);
-        motion.tilt = wing.TryGetProperty("strokePlane", out JsonElement plane)
-            ? Turned(Series(plane, $"{place}.strokePlane", unit), 90f)
-            : Optional(wing, place, "tilt", unit);
+        motion.flap = Series(Needed(wing, "flap"), unit);
+        motion.sweep = Optional(wing, "sweep", unit);
+        motion.feather = wing["pitch"] is { } pitch ? Turned(Series(pitch, unit), 0f) : Optional(wing, "feather", unit);
+        motion.tilt = wing["strokePlane"] is { } plane ? Turned(Series(plane, unit), 90f) : Optional(wing, "tilt", unit);
         return motion;
     }
 
-    private static AngleSeries Optional(JsonElement wing, string place, string key, double unit) =>
-        wing.TryGetProperty(key, out JsonElement value) ? Series(value, $"{place}.{key}", unit) : default;
+    private static AngleSeries Optional(JsonPlace wing, string key, double unit) => wing[key] is { } value ? Series(value, unit) : default;
 
     // An angle less a series.
     private static AngleSeries Turned(AngleSeries series, float from) =>
         new(from - series.mean, series.harmonics?.Select(harmonic => new Vector2(-harmonic.x, harmonic.y)).ToArray());
 
     // A number is a constant.
-    private static AngleSeries Series(JsonElement value, string place, double unit)
+    private static AngleSeries Series(JsonPlace value, double unit)
     {
-        if (value.ValueKind == JsonValueKind.Number)
-            return new AngleSeries((float)Degrees(value, place, unit));
-        if (value.ValueKind != JsonValueKind.Object)
-            throw Wrong(place, "it must be a number, or an object with mean and harmonics, or with a table");
-        Known(value, place, "mean", "harmonics", "table");
-        if (value.TryGetProperty("table", out JsonElement table))
-        {
-            if (value.EnumerateObject().Count() > 1)
-                throw Wrong(place, "a table excludes mean and harmonics");
-            return Table(table, $"{place}.table", unit);
-        }
-
+        if (value.Kind == JsonTokenType.Number)
+            return new AngleSeries((float)Degrees(value, unit));
+        if (!value.IsObject)
+            throw value.Wrong("it must be a number, or an object with mean and harmonics, or with a table");
+        Known(value, "mean", "harmonics", "table");
+        if (value["table"] is { } table)
+            return value.Members.Count == 1 ? Table(table, unit) : throw value.Wrong("a table excludes mean and harmonics");
         var harmonics = new List<Vector2>();
-        if (value.TryGetProperty("harmonics", out JsonElement list))
+        foreach (JsonPlace pair in value["harmonics"] is { } list ? Items(list) : [])
         {
-            foreach (JsonElement pair in Items(list, $"{place}.harmonics"))
-            {
-                string at = $"{place}.harmonics[{harmonics.Count}]";
-                (double amplitude, double phase) = Pair(pair, at, "an amplitude and a phase");
-                harmonics.Add(new Vector2((float)Checked(amplitude * unit, at), (float)(phase * unit)));
-            }
+            (double amplitude, double phase) = Pair(pair, "an amplitude and a phase");
+            harmonics.Add(new Vector2((float)Checked(amplitude * unit, pair), (float)(phase * unit)));
         }
 
         if (harmonics.Count > WingKinematics.Harmonics)
-            throw Wrong($"{place}.harmonics", $"it has {harmonics.Count}; at most {WingKinematics.Harmonics} are taken");
-        return new AngleSeries((float)Degrees(Needed(value, place, "mean"), $"{place}.mean", unit), harmonics.ToArray());
+            throw value["harmonics"].Wrong($"it has {harmonics.Count}; at most {WingKinematics.Harmonics} are taken");
+        return new AngleSeries((float)Degrees(Needed(value, "mean"), unit), harmonics.ToArray());
     }
 
     // Rows of t/T and angle, from 0 to 1 in equal steps; the last is the first again.
-    private static AngleSeries Table(JsonElement rows, string place, double unit)
+    private static AngleSeries Table(JsonPlace rows, double unit)
     {
         var times = new List<double>();
         var angles = new List<double>();
-        foreach (JsonElement row in Items(rows, place))
+        foreach (JsonPlace row in Items(rows))
         {
-            string at = $"{place}[{times.Count}]";
-            (double time, double angle) = Pair(row, at, "a time t/T and an angle");
+            (double time, double angle) = Pair(row, "a time t/T and an angle");
             times.Add(time);
-            angles.Add(Checked(angle * unit, at));
+            angles.Add(Checked(angle * unit, row));
         }
 
         int last = times.Count - 1;
         if (last < 3)
-            throw Wrong(place, $"it has {last + 1} rows; a beat needs at least four, from 0 to 1");
+            throw rows.Wrong($"it has {last + 1} rows; a beat needs at least four, from 0 to 1");
         if (times[0] != 0 || Math.Abs(times[last] - 1) > k_Even / last)
-            throw Wrong(place, FormattableString.Invariant($"it runs from {times[0]} to {times[last]}; it must run from 0 to 1"));
+            throw rows.Wrong(FormattableString.Invariant($"it runs from {times[0]} to {times[last]}; it must run from 0 to 1"));
         double[] steps = Enumerable.Range(0, last).Select(k => times[k + 1] - times[k]).ToArray();
         int hole = Array.FindIndex(steps, step => step > k_Hole * Math.Max(steps.Min(), 0.0)),
             uneven = Array.FindIndex(steps, step => Math.Abs(step * last - 1) > k_Even * last);
         if (hole >= 0)
         {
-            throw Wrong(place, FormattableString.Invariant(
+            throw rows.Wrong(FormattableString.Invariant(
                 $"there is a hole between {times[hole]} and {times[hole + 1]}; the rows must lie equally apart"));
         }
         if (uneven >= 0)
         {
-            throw Wrong(place, FormattableString.Invariant(
+            throw rows.Wrong(FormattableString.Invariant(
                 $"{times[uneven]} and {times[uneven + 1]} are not {1.0 / last:0.####} apart; the rows must lie equally apart"));
         }
         double range = Math.Max(angles.Max() - angles.Min(), 1e-6);
         if (Math.Abs(angles[last] - angles[0]) > k_Periodic * range)
-            throw Wrong(place, FormattableString.Invariant($"it is not periodic: {angles[0]:0.###}° at 0 and {angles[last]:0.###}° at 1"));
+            throw rows.Wrong(FormattableString.Invariant($"it is not periodic: {angles[0]:0.###}° at 0 and {angles[last]:0.###}° at 1"));
         return AngleSeries.FromTable(angles.Take(last).Select(angle => (float)angle).ToList());
     }
 
-    private static double Unit(JsonElement value) => value.ValueKind == JsonValueKind.String && value.GetString() is "degrees" or "radians"
-        ? value.GetString() == "degrees" ? 1.0 : 180.0 / Math.PI
-        : throw Wrong(k_Angles, $"{value.GetRawText()} is no unit that is known: \"degrees\" or \"radians\"");
+    private static double Unit(JsonPlace value) => value.Kind == JsonTokenType.String && value.Text is "degrees" or "radians"
+        ? value.Text == "degrees" ? 1.0 : 180.0 / Math.PI
+        : throw value.Wrong($"{value.Shown} is no unit that is known: \"degrees\" or \"radians\"");
 
-    private static double Degrees(JsonElement value, string place, double unit) => Checked(Number(value, place) * unit, place);
+    private static double Degrees(JsonPlace value, double unit) => Checked(Number(value) * unit, value);
 
-    private static double Checked(double degrees, string place) => Math.Abs(degrees) <= k_Largest
+    private static double Checked(double degrees, JsonPlace place) => Math.Abs(degrees) <= k_Largest
         ? degrees
-        : throw Wrong(place, FormattableString.Invariant($"{degrees:0.###}° is beyond {k_Largest}°; see the unit in '{k_Angles}'"));
+        : throw place.Wrong(FormattableString.Invariant($"{degrees:0.###}° is beyond {k_Largest}°; see the unit in '{k_Angles}'"));
 
-    private static (double First, double Second) Pair(JsonElement value, string place, string what)
-    {
-        JsonElement[] two = value.ValueKind == JsonValueKind.Array ? value.EnumerateArray().ToArray() : [];
-        return two.Length == 2
-            ? (Number(two[0], place), Number(two[1], place))
-            : throw Wrong(place, $"it must be {what}, not {value.GetRawText()}");
-    }
+    private static (double First, double Second) Pair(JsonPlace value, string what) => value.Items.Count == 2
+        ? (Number(value.Items[0]), Number(value.Items[1]))
+        : throw value.Wrong(
+            $"it must be {what}, not {(value.Kind == JsonTokenType.StartArray ? $"{value.Items.Count} values" : value.Shown)}");
 
-    private static IEnumerable<JsonElement> Items(JsonElement value, string place) =>
-        value.ValueKind == JsonValueKind.Array ? value.EnumerateArray() : throw Wrong(place, "it must be a list");
+    private static IReadOnlyList<JsonPlace> Items(JsonPlace value) =>
+        value.Kind == JsonTokenType.StartArray ? value.Items : throw value.Wrong("it must be a list");
 
-    private static double Number(JsonElement value, string place) =>
-        value.ValueKind == JsonValueKind.Number && value.TryGetDouble(out double number) && double.IsFinite(number)
+    private static double Number(JsonPlace value) =>
+        value.Kind == JsonTokenType.Number && double.TryParse(value.Text, CultureInfo.InvariantCulture, out double number)
+            && double.IsFinite(number)
             ? number
-            : throw Wrong(place, $"it must be a number, not {value.GetRawText()}");
+            : throw value.Wrong($"it must be a number, not {value.Shown}");
 
-    private static bool Flag(JsonElement value, string place) => value.ValueKind is JsonValueKind.True or JsonValueKind.False
-        ? value.GetBoolean()
-        : throw Wrong(place, $"it must be true or false, not {value.GetRawText()}");
+    private static bool Flag(JsonPlace value) => value.Kind is JsonTokenType.True or JsonTokenType.False
+        ? value.Kind == JsonTokenType.True
+        : throw value.Wrong($"it must be true or false, not {value.Shown}");
 
-    private static string Text(JsonElement root, string key) =>
-        !root.TryGetProperty(key, out JsonElement value) ? null
-            : value.ValueKind == JsonValueKind.String ? value.GetString() : throw Wrong(key, "it must be a text");
+    private static string Text(JsonPlace root, string key) => root[key] is not { } value ? null
+        : value.Kind == JsonTokenType.String ? value.Text : throw value.Wrong("it must be a text");
 
-    private static JsonElement Needed(JsonElement value, string place, string key) => value.TryGetProperty(key, out JsonElement found)
-        ? found
-        : throw Wrong(place.Length == 0 ? "the file" : place, $"'{key}' is missing");
+    private static JsonPlace Needed(JsonPlace value, string key) => value[key] ?? throw value.Wrong($"'{key}' is missing");
 
-    private static void Known(JsonElement value, string place, params string[] keys)
+    private static void Known(JsonPlace value, params string[] keys)
     {
-        foreach (JsonProperty property in value.EnumerateObject())
+        foreach ((string key, JsonPlace member) in value.Members)
         {
-            if (!keys.Contains(property.Name))
-            {
-                throw Wrong(
-                    place.Length == 0 ? property.Name : $"{place}.{property.Name}", $"unknown key; known: {string.Join(", ", keys)}");
-            }
+            if (!keys.Contains(key))
+                throw member.Wrong($"unknown key; known: {string.Join(", ", keys)}");
         }
     }
 
-    private static void Exclusive(JsonElement value, string place, string one, string other)
+    private static void Exclusive(JsonPlace value, string one, string other)
     {
-        if (value.TryGetProperty(one, out _) && value.TryGetProperty(other, out _))
-            throw Wrong(place, $"'{one}' and '{other}' exclude each other");
+        if (value[one] != null && value[other] != null)
+            throw value.Wrong($"'{one}' and '{other}' exclude each other");
     }
-
-    private static FormatException Wrong(string place, string problem) => new($"{place}: {problem}.");
 }
