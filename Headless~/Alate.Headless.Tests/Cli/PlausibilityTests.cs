@@ -217,6 +217,10 @@ namespace Alate.Tests.Cli
                 head = Plausibility.Of(new FlightPlan { Definition = monarch, Speed = 1, Wind = [0, 0, -1] }).Wings[0],
                 wide = Plausibility.Of(new FlightPlan { Definition = monarch, Speed = 1, Amplitude = 0.5 }).Wings[0];
             Assert.That(fast.ReducedFrequency, Is.EqualTo(slow.ReducedFrequency).Within(1e-4).Percent);
+            // Along the arc of the flap, where the Strouhal number has its chord; at 1 m/s.
+            double flap = slow.Flap * k_Radians;
+            Assert.That(slow.TipSpeed, Is.EqualTo(slow.Strouhal * flap / Math.Sin(flap / 2)).Within(1e-3).Percent);
+            Assert.That(fast.TipSpeed, Is.EqualTo(2 * slow.TipSpeed).Within(1e-3).Percent);
             Assert.That(fast.Reynolds, Is.EqualTo(2 * slow.Reynolds).Within(1e-3).Percent);
             Assert.That(fast.StructuralRatio, Is.EqualTo(slow.StructuralRatio / 2).Within(1e-3).Percent);
             Assert.That(fast.Strouhal, Is.EqualTo(2 * slow.Strouhal).Within(1e-3).Percent);

@@ -11,6 +11,15 @@ internal static class UnitDoubts
     /// <summary>Least share of the wing's length that a distance on the insect has, and that a vein is wide.</summary>
     private const double k_LeastDistance = 2e-3, k_LeastVein = 1e-4, k_MostVein = 0.3;
 
+    /// <summary>Most wing lengths that a place on the insect is from the middle of its thorax, or a part of its body is long.</summary>
+    private const double k_MostDistance = 2;
+
+    /// <summary>Most times its top speed that an insect is flown.</summary>
+    private const double k_MostSpeed = 2;
+
+    /// <summary>Largest phase of a harmonic in radians, and the largest that anyone writes in degrees.</summary>
+    private const double k_RadianPhase = 2 * Math.PI, k_DegreePhase = 720;
+
     /// <summary>Densities between which there is neither a gas nor a liquid to fly in, and the least one, kg/m³.</summary>
     private const double k_Thin = 0.3, k_Dense = 2, k_Light = 600;
 
@@ -21,6 +30,13 @@ internal static class UnitDoubts
     {
         if (AboutAngle("The pitch", plan.PitchDegrees, FlightNumbers.Pitch.Max) is string pitch)
             yield return pitch;
+        double top = wings[0].Wing.Preset.Beat.maxSpeed;
+        if (plan.Speed > k_MostSpeed * top)
+        {
+            yield return FormattableString.Invariant(
+                $"The speed is {plan.Speed:0.###} m/s; the top speed of this insect is {top:0.###} m/s: is the unit m/s?");
+        }
+
         double density = wings[0].Wing.Preset.Size.fluidDensity;
         if (density is < k_Thin or > k_Dense and < k_Light)
         {
@@ -33,6 +49,12 @@ internal static class UnitDoubts
         {
             if (AboutDistance("A part of the body", part.centre, span) is string distance)
                 yield return distance;
+            double least = math.cmin(part.halfAxes), most = math.cmax(part.halfAxes);
+            if (least < k_LeastDistance * span || most > k_MostDistance * span)
+            {
+                yield return FormattableString.Invariant($"A part of the body has half axes of {1e3 * least:G3} to {1e3 * most:G3} mm, ")
+                    + FormattableString.Invariant($"beside wings of {1e3 * span:0.##} mm: is the unit mm?");
+            }
         }
 
         if (AboutDistance("The middle of the feet", wings[0].Wing.Preset.Rest.feet, span) is string feet)
@@ -49,10 +71,10 @@ internal static class UnitDoubts
         string name = wing.Wing.Name;
         WingPreset preset = wing.Wing.Preset;
         double length = preset.Size.wingLength;
-        if (preset.Kinematics.prescribed
-            && AboutRange($"The prescribed flap of the {name}", math.degrees((double)wing.Flap)) is string flap)
+        if (preset.Kinematics.prescribed)
         {
-            yield return flap;
+            foreach (string doubt in AboutMotion(name, preset.Kinematics, math.degrees((double)wing.Flap)))
+                yield return doubt;
         }
 
         foreach ((string group, _, IReadOnlyList<PresetKey> keys) in InsectKeys.Groups)
@@ -81,6 +103,26 @@ internal static class UnitDoubts
         {
             yield return FormattableString.Invariant(
                 $"The widest vein of the {name} is {widest:G3} mm wide, on a wing of {1e3 * length:0.##} mm: is the unit mm?");
+        }
+    }
+
+    // The file has one unit for angles and phases: others come from two papers.
+    private static IEnumerable<string> AboutMotion(string name, PresetKinematics motion, double flap)
+    {
+        if (AboutRange($"The prescribed flap of the {name}", flap) is string range)
+            yield return range;
+        double feather = 2 * (motion.feather.harmonics ?? []).Select(harmonic => Math.Abs((double)harmonic.x)).DefaultIfEmpty().Max();
+        if (AboutRange($"The prescribed feather of the {name}", feather) is string turned)
+            yield return turned;
+        double[] phases = new[] { motion.flap, motion.sweep, motion.feather, motion.tilt }
+            .SelectMany(series => series.harmonics ?? []).Select(harmonic => (double)harmonic.y).Where(phase => phase != 0).ToArray();
+        double largest = phases.Select(Math.Abs).DefaultIfEmpty().Max();
+        if (phases.Length > 1 && largest <= k_RadianPhase && phases.Any(phase => phase != Math.Round(phase)))
+            yield return AskForRadians($"The largest prescribed phase of the {name}", largest);
+        if (largest > k_DegreePhase)
+        {
+            yield return FormattableString.Invariant(
+                $"The largest prescribed phase of the {name} is {largest:0.#}°: were degrees meant, where the file says radians?");
         }
     }
 
@@ -115,10 +157,10 @@ internal static class UnitDoubts
     public static string AboutDistance(string subject, float3 place, double length)
     {
         double distance = math.length(place);
-        return distance > 0 && distance < k_LeastDistance * length
+        return distance > 0 && (distance < k_LeastDistance * length || distance > k_MostDistance * length)
             ? FormattableString.Invariant(
                 $"{subject} is {1e3 * distance:G3} mm from the middle of the thorax, beside wings of {1e3 * length:0.##} mm: ")
-                + "were metres meant?"
+                + (distance < length ? "were metres meant?" : "is the unit mm?")
             : null;
     }
 

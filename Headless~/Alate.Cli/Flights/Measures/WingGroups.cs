@@ -28,6 +28,9 @@ internal sealed record WingGroups(string Wing)
     /// <summary>Mean speed of the tip times the mean chord over the kinematic viscosity.</summary>
     public double Reynolds { get; private init; }
 
+    /// <summary>Mean speed of the tip against the body, m/s.</summary>
+    public double TipSpeed { get; private init; }
+
     /// <summary>π f c over the mean speed of the tip.</summary>
     public double ReducedFrequency { get; private init; }
 
@@ -73,6 +76,7 @@ internal sealed record WingGroups(string Wing)
         return new WingGroups(wing.Wing.Name)
         {
             Flap = math.degrees((double)wing.Flap),
+            TipSpeed = tip,
             Reynolds = size.fluidDensity * tip * chord / viscosity,
             ReducedFrequency = Math.PI * wing.Frequency * chord / tip,
             Strouhal = speed > 0 ? wing.Frequency * 2 * length * Math.Sin(0.5 * wing.Flap) / speed : double.NaN,
