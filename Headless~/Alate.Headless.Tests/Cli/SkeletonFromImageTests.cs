@@ -173,8 +173,6 @@ namespace Alate.Tests.Cli
         [TestCase("this is no picture at all", "not a PNG")]
         public void FileThatIsNoPicture_IsRefused(string content, string said) => AssertRefused(m_Run.Write("wing.png", content), said);
 
-        [TestCase("photo.jpg", "JPEG", "FFD8FFE000104A46494600")]
-        [TestCase("photo.png", "JPEG", "FFD8FFDB00430002010101")]
         [TestCase("photo.gif", "GIF", "474946383961")]
         [TestCase("photo.bmp", "BMP", "424D3600000000000000")]
         [TestCase("photo.tif", "TIFF", "49492A0008000000")]
@@ -183,7 +181,7 @@ namespace Alate.Tests.Cli
         {
             string image = Image(name, Convert.FromHexString(start));
 
-            AssertRefused(image, $"{name}': it is a {format}; convert it to PNG.");
+            AssertRefused(image, $"{name}': it is a {format}; convert it to PNG or JPEG.");
         }
 
         [Test]

@@ -5,6 +5,8 @@ internal static class ObjMaterial
 {
     private const string k_Picture = "map_Kd";
 
+    private static readonly string[] s_Endings = [".png", ".jpg", ".jpeg"];
+
     /// <summary>Text of a library with one material of a picture.</summary>
     public static string Write(string name, string picture) => $"newmtl {name}\nKd 1 1 1\n{k_Picture} {picture}\n";
 
@@ -21,8 +23,7 @@ internal static class ObjMaterial
         string line = TextFile.Read(path, reader => reader.ReadToEnd().Split('\n'))
             .Select(text => text.Trim()).FirstOrDefault(text => text.StartsWith(k_Picture + ' ', StringComparison.Ordinal));
         string picture = line == null ? null : Path.Combine(folder, line[(k_Picture.Length + 1)..].Trim());
-        return picture != null && Path.GetExtension(picture).Equals(".png", StringComparison.OrdinalIgnoreCase) && File.Exists(picture)
-            ? picture
-            : null;
+        bool isPicture = picture != null && s_Endings.Contains(Path.GetExtension(picture).ToLowerInvariant());
+        return isPicture && File.Exists(picture) ? picture : null;
     }
 }

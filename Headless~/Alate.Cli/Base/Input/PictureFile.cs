@@ -1,14 +1,14 @@
 using Alate.Authoring;
 using Unity.StandIns;
+using UnityEngine;
 
 namespace Alate.Cli;
 
-/// <summary>A PNG file that a user names.</summary>
+/// <summary>A PNG or JPEG file that a user names, turned as its EXIF says.</summary>
 internal sealed class PictureFile
 {
     private static readonly (string Format, int Offset, byte[] Start)[] s_OtherFormats =
     [
-        ("JPEG", 0, [0xFF, 0xD8, 0xFF]),
         ("GIF", 0, [.. "GIF8"u8]),
         ("BMP", 0, [.. "BM"u8]),
         ("TIFF", 0, [.. "II*\0"u8]),
@@ -26,22 +26,21 @@ internal sealed class PictureFile
 
     public string Path { get; }
 
-    /// <summary>The file as it is.</summary>
+    /// <summary>The picture as a PNG file: that of the user, where it is one and upright.</summary>
     public byte[] Bytes { get; }
 
     public WingPicture Picture { get; }
 
     /// <summary>Reads a file.</summary>
-    /// <exception cref="UserException">There is no such file, it cannot be read, or it is no PNG picture of a fit size.</exception>
+    /// <exception cref="UserException">There is no such file, it cannot be read, or it is no picture of a fit size.</exception>
     public static PictureFile Read(string path)
     {
         try
         {
             byte[] bytes = ReadAll(path);
             if (OtherFormat(bytes) is string format)
-                throw new UserException($"Cannot read '{path}': it is a {format}; convert it to PNG.");
-            PngFile png = Decode(path, bytes);
-            return new PictureFile(path, bytes, new WingPicture(png.Width, png.Height, png.Pixels));
+                throw new UserException($"Cannot read '{path}': it is a {format}; convert it to PNG or JPEG.");
+            return bytes.AsSpan().StartsWith(JpegFile.Start) ? OfJpeg(path, bytes) : OfPng(path, bytes);
         }
         catch (FormatException problem)
         {
@@ -73,11 +72,41 @@ internal sealed class PictureFile
         return null;
     }
 
-    private static PngFile Decode(string path, byte[] bytes)
+    private static PictureFile OfJpeg(string path, byte[] bytes)
+    {
+        JpegFile jpeg = Decode(path, () => JpegFile.Read(bytes, WingPicture.MaxSide));
+        int width = jpeg.Width, height = jpeg.Height;
+        Color32[] pixels = ExifTurn.Upright(ExifTurn.Of(jpeg.Exif.Span), ref width, ref height, jpeg.Pixels);
+        return new PictureFile(path, Png(width, height, pixels), new WingPicture(width, height, pixels));
+    }
+
+    private static PictureFile OfPng(string path, byte[] bytes)
+    {
+        PngFile png = Decode(path, () => PngFile.Read(bytes));
+        int width = png.Width, height = png.Height;
+        Color32[] pixels = ExifTurn.Upright(ExifTurn.Of(ExifTurn.InPng(bytes)), ref width, ref height, png.Pixels);
+        return new PictureFile(
+            path, pixels == png.Pixels ? bytes : Png(width, height, pixels), new WingPicture(width, height, pixels));
+    }
+
+    // Textures begin with their lowest row.
+    private static byte[] Png(int width, int height, Color32[] pixels)
+    {
+        var upwards = new Color32[pixels.Length];
+        for (int row = 0; row < height; row++)
+            Array.Copy(pixels, row * width, upwards, (height - 1 - row) * width, width);
+        var texture = new Texture2D(width, height);
+        texture.SetPixels32(upwards);
+        byte[] png = texture.EncodeToPNG();
+        UnityEngine.Object.DestroyImmediate(texture);
+        return png;
+    }
+
+    private static T Decode<T>(string path, Func<T> read)
     {
         try
         {
-            return PngFile.Read(bytes);
+            return read();
         }
         catch (FormatException problem)
         {
