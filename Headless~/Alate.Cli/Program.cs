@@ -44,6 +44,7 @@ public static class Program
         root.Subcommands.Add(WindCommand.Create(output));
         root.Subcommands.Add(WakeCommand.Create(output));
         root.Subcommands.Add(ValidateCommand.Create(output));
+        root.Subcommands.Add(InsectCommand.Create(output));
         root.Subcommands.Add(SkeletonCommand.Create(output));
         root.Subcommands.Add(BenchCommand.Create(output));
         root.Subcommands.Add(FiguresCommand.Create(output));

@@ -7,15 +7,14 @@ namespace Alate.Cli;
 /// <summary><c>skeleton from-image IMAGE</c>: makes a mesh and a skeleton from a picture of a wing.</summary>
 internal static class SkeletonFromImageCommand
 {
-    private const string k_Skeleton = "skeleton.json", k_Mesh = "wing.obj", k_Library = "wing.mtl", k_Picture = "wing.png",
-        k_Overlay = "overlay.svg";
+    private static readonly TracedFiles s_Files = new("wing") { Skeleton = "skeleton.json", Overlay = "overlay.svg" };
 
     public static Command Create(TextWriter output)
     {
         WingTracingSettings standard = WingTracingSettings.Default;
         var image = new Argument<string>("IMAGE")
         {
-            Description = "A PNG of one wing on plain or transparent ground: silhouette, line drawing or photo.",
+            Description = "A PNG or JPEG of one wing on plain or transparent ground: silhouette, line drawing or photo.",
         };
         Option<int?> chains = Numbers.OptionalCount(
             "--chains", "N", WingSkeleton.MinChains, WingSkeleton.MaxChains,
@@ -70,41 +69,13 @@ internal static class SkeletonFromImageCommand
 
     private static void Run(string file, in WingTracingSettings settings, string path, TextWriter output)
     {
-        var picture = PictureFile.Read(file);
-        WingTrace trace = Trace(picture, settings);
-        using var folder = OutputFolder.Prepare(path, k_Skeleton, k_Mesh, k_Library, k_Picture, k_Overlay);
-        folder.Write(k_Skeleton, stream => stream.Write(Encoding.UTF8.GetBytes(SkeletonJson.Write(trace.Skeleton))));
-        folder.Write(k_Mesh, stream => ObjWriter.Write(trace.Surface, stream, k_Library, "wing"));
-        folder.Write(k_Library, stream => stream.Write(Encoding.UTF8.GetBytes(ObjMaterial.Write("wing", k_Picture))));
-        folder.Write(k_Picture, stream => stream.Write(picture.Bytes));
-        folder.Write(k_Overlay, stream => stream.Write(Encoding.UTF8.GetBytes(TracePicture.Draw(picture, trace))));
+        var wing = TracedWing.Of(file, settings);
+        using var folder = OutputFolder.Prepare(path, s_Files.All);
+        wing.Write(folder, s_Files);
         folder.Commit();
-        output.WriteLine(Summary(trace));
-        output.WriteLine($"Wrote {k_Skeleton}, {k_Mesh} with {k_Library} and {k_Picture}, and {k_Overlay} into {path}.");
-    }
-
-    private static WingTrace Trace(PictureFile picture, in WingTracingSettings settings)
-    {
-        try
-        {
-            return WingTracer.Trace(picture.Picture, settings);
-        }
-        catch (Exception problem) when (problem is FormatException or ArgumentException)
-        {
-            throw new UserException($"{picture.Path}: {problem.Message}");
-        }
-    }
-
-    private static string Summary(WingTrace trace)
-    {
-        var text = new StringBuilder();
-        text.Append(CultureInfo.InvariantCulture, $"{trace.Surface.TriangleCount} triangles, ");
-        text.Append(CultureInfo.InvariantCulture, $"{trace.Skeleton.ChainCount} chains of {trace.Skeleton.JointsPerChain} joints, ");
-        text.Append(CultureInfo.InvariantCulture, $"{trace.FollowsVein.Count(follows => follows)} of them along veins, ");
-        text.Append(CultureInfo.InvariantCulture, $"confidence {trace.Confidence:0.00}.");
-        foreach (string warning in trace.Warnings)
-            text.Append(' ').Append(warning);
-        return text.ToString();
+        output.WriteLine(wing.Summary);
+        output.WriteLine($"Wrote {s_Files.Skeleton}, {s_Files.Mesh} with {s_Files.Library} and {s_Files.Picture}, "
+            + $"and {s_Files.Overlay} into {path}.");
     }
 
     private const string k_Examples =

@@ -40,7 +40,7 @@ public sealed class HelpLaws
             Assert.That(example, Does.StartWith(command.Split(' ')[0]));
             foreach (Match option in Regex.Matches(example, @"--[a-z-]+"))
             {
-                string named = Regex.Match(example, @"^\w[\w-]*( (fit|from-image))?").Value;
+                string named = Regex.Match(example, @"^\w[\w-]*( (fit|from-image|new))?").Value;
                 Assert.That(Help(named), Does.Contain($"  {option.Value}"), example);
             }
         }

@@ -70,7 +70,7 @@ internal static class InsectKeys
         new FileKey(Hinge, FilePlace.Shape, "Hinge of the right wing, from the middle of the thorax: right, up, ahead."),
         new FileKey(Mesh, s_Path, "Mesh of the wing at rest, an OBJ file in any unit and place. Needs a skeleton."),
         new FileKey(Skeleton, s_Path, "Skeleton in the space of that mesh, as 'skeleton fit' writes it."),
-        new FileKey(Texture, s_Path, "PNG picture for the texture coordinates of the mesh."),
+        new FileKey(Texture, s_Path, "PNG or JPEG picture for the texture coordinates of the mesh."),
         new FileKey(Flexural, Chains(1e-15m, 1000m, "newton square metres"),
             "Measured flexural stiffness EI: a list for each chain, from root to tip; an empty one where it is not known."),
         new FileKey(Torsional, Chains(1e-15m, 1000m, "newton square metres"),

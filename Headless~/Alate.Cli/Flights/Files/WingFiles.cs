@@ -6,13 +6,13 @@ namespace Alate.Cli;
 /// <summary>Files of a wing of the user's own: its mesh at rest, its skeleton and a picture.</summary>
 /// <param name="Mesh">The mesh.</param>
 /// <param name="Skeleton">Valid; in the space of the mesh.</param>
-/// <param name="Picture">PNG file for the mesh's texture coordinates; null for none.</param>
+/// <param name="Picture">PNG file, from a PNG or JPEG, for the mesh's texture coordinates; null for none.</param>
 internal sealed record WingFiles(ObjMesh Mesh, WingSkeleton Skeleton, byte[] Picture)
 {
     /// <summary>Reads the files.</summary>
     /// <param name="meshFile">OBJ file.</param>
     /// <param name="skeletonFile">JSON file.</param>
-    /// <param name="textureFile">PNG file; null for that of the mesh's material, if it has one.</param>
+    /// <param name="textureFile">PNG or JPEG file; null for that of the mesh's material, if it has one.</param>
     /// <exception cref="UserException">They are no wing.</exception>
     public static WingFiles Read(string meshFile, string skeletonFile, string textureFile)
     {

@@ -1,0 +1,135 @@
+using System.CommandLine;
+using Alate.Authoring;
+
+namespace Alate.Cli;
+
+/// <summary><c>insect new DIR</c>: makes an insect file with meshes, skeletons and textures from pictures of its wings.</summary>
+internal static class InsectNewCommand
+{
+    /// <summary>Insects of the catalogue for one picture and for two.</summary>
+    private const string k_One = "monarch", k_Two = "swallowtail";
+
+    private const double k_Turn = 2 * Math.PI;
+
+    private static readonly Quantity s_Length = new(
+        "length", "mm", 0.5m, 1000m, ("mm", 1m), ("cm", 10m), ("m", 1000m), ("µm", 0.001m), ("um", 0.001m), ("in", 25.4m));
+
+    private static readonly Quantity s_Mass = new(
+        "mass", "mg", 0.01m, 10_000_000m, ("mg", 1m), ("g", 1000m), ("kg", 1_000_000m), ("µg", 0.001m), ("ug", 0.001m));
+
+    private static readonly Quantity s_Frequency = new(
+        "frequency", "Hz", 0.1m, 1000m, ("Hz", 1m), ("/s", 1m), ("/min", 1m / 60), ("kHz", 1000m), ("rad/s", (decimal)(1 / k_Turn)))
+    {
+        IsUnitKnown = true,
+    };
+
+    public static Command Create(TextWriter output)
+    {
+        var folder = new Argument<string>("DIR") { Description = "Where the files go; its name is that of the insect." };
+        var pictures = new Option<string[]>("--wing")
+        {
+            HelpName = "IMAGE",
+            Description = "A PNG or JPEG of the wing, or of the fore and of the hind wing, each on plain or transparent ground.",
+            AllowMultipleArgumentsPerToken = true,
+            Arity = new ArgumentArity(1, 2),
+        };
+        var lengths = new Option<string[]>("--length")
+        {
+            HelpName = "LENGTH",
+            Description = "Length of the wing from hinge to tip, of the hind wing behind it, with units, such as 50mm 42mm. "
+                + "[default of the hind wing: as --like's]",
+            AllowMultipleArgumentsPerToken = true,
+            Arity = new ArgumentArity(1, 2),
+        };
+        var mass = new Option<string>("--mass") { HelpName = "MASS", Description = "Mass of the insect with its unit, such as 1.6g." };
+        var frequency = new Option<string>("--frequency")
+        {
+            HelpName = "FREQUENCY",
+            Description = "Beats: 25Hz, 25/s or 1500/min; a number alone is in hertz.",
+        };
+        var like = new Option<string>("--like")
+        {
+            HelpName = "NAME",
+            Description = $"Insect of the catalogue that has body and motion: {string.Join(", ", InsectCatalogue.Names)}. "
+                + $"[default: {k_One}, of two pictures {k_Two}]",
+        };
+        var name = new Option<string>("--name") { HelpName = "NAME", Description = "Name of the insect. [default: that of DIR]" };
+        var command = new Command("new", "Makes an insect file, with meshes, skeletons and textures, from pictures of its wings.")
+        {
+            folder, pictures, lengths, mass, frequency, like, name,
+        };
+        HelpExamples.Set(command, k_Examples);
+        command.SetAction(parsed =>
+        {
+            string path = parsed.GetValue(folder);
+            string[] files = parsed.GetValue(pictures) ?? [], far = parsed.GetValue(lengths) ?? [];
+            if (files.Length == 0)
+                throw new UserException("Which wing? --wing takes a picture of it, or of the fore and of the hind wing.");
+            if (far.Length == 0)
+                throw new UserException("How long is the wing? --length, from hinge to tip with its unit, such as 50mm.");
+            if (far.Length > files.Length)
+                throw new UserException($"--length takes one length for each wing: {files.Length}, not {far.Length}.");
+            InsectDefinition known = KnownSpecies.FindInCatalogue(parsed.GetValue(like) ?? (files.Length == 1 ? k_One : k_Two));
+            if (known.Wings.Count < files.Length)
+            {
+                throw new UserException($"The {known.Name} has one kind of wing, so that two pictures need another --like: "
+                    + $"{string.Join(", ", InsectCatalogue.All.Where(insect => insect.Wings.Count > 1).Select(insect => insect.Name))}.");
+            }
+
+            decimal milligrams = s_Mass.Read("--mass", parsed.GetValue(mass)
+                ?? throw new UserException("How heavy is the insect? --mass, with its unit, such as 1.6g."));
+            decimal hertz = s_Frequency.Read("--frequency", parsed.GetValue(frequency)
+                ?? throw new UserException("How often does it beat? --frequency, such as 25Hz."));
+            List<decimal> millimetres = [.. far.Select(length => s_Length.Read("--length", length))];
+            if (millimetres.Count < files.Length)
+                millimetres.Add(NewInsect.LengthBehind(known, millimetres[0]));
+            var insect = new NewInsect(NameOf(parsed.GetValue(name), path), known, milligrams, hertz);
+            Make(insect, files, millimetres, path, output);
+            return 0;
+        });
+        return command;
+    }
+
+    private static void Make(NewInsect insect, string[] files, List<decimal> lengths, string path, TextWriter output)
+    {
+        insect = insect with
+        {
+            Wings = [.. files.Zip(lengths, (file, length) => (TracedWing.Of(file, WingTracingSettings.Default), length))],
+        };
+        insect.Check();
+        using var folder = OutputFolder.Prepare(path, [insect.File, .. insect.FilesOfWings.SelectMany(wing => wing.All)]);
+        insect.Write(folder);
+        folder.Commit();
+        for (int k = 0; k < files.Length; k++)
+        {
+            output.WriteLine(FormattableString.Invariant($"{insect.Like.Wings[k].Name}, {lengths[k]:0.##} mm: ")
+                + insect.Wings[k].Wing.Summary);
+        }
+
+        string file = Path.Combine(path, insect.File);
+        output.WriteLine($"Wrote {insect.File} and its wings into {path}; the .svg files show what was found in the pictures.");
+        output.WriteLine($"  fly {file}\n  species {file} --check");
+    }
+
+    private static string NameOf(string given, string path)
+    {
+        string typed = given ?? Path.GetFileName(Path.TrimEndingDirectorySeparator(Path.GetFullPath(path)));
+        string name = string.Concat(typed.ToLowerInvariant().Select(letter => letter is ' ' or '_' or '.' ? '-' : letter));
+        bool fits = name.Length is > 0 and <= 40 && char.IsAsciiLetterLower(name[0])
+            && name.All(letter => char.IsAsciiLetterLower(letter) || char.IsAsciiDigit(letter) || letter == '-');
+        return fits ? name : throw new UserException(
+            $"{Quote.Of(typed)} is no name of an insect: it has lower-case letters, digits and hyphens, and begins with a letter. "
+            + "--name says one.");
+    }
+
+    private const string k_Examples =
+        "Examples:\n"
+        + "  insect new mymoth --wing wing.png --length 50mm --mass 1.6g --frequency 25Hz\n"
+        + "  insect new mymoth --wing fore.png hind.jpg --length 5cm 3.8cm --mass 1600mg --frequency 1500/min --like fishfly\n\n"
+        + "Writes into DIR:\n"
+        + "  NAME.insect.json                  the insect, for every command that takes a SPECIES\n"
+        + "  wing.obj, wing.mtl, wing.png      mesh, material and texture of the wing; of two: fore and hind\n"
+        + "  wing.json                         its skeleton\n"
+        + "  wing.svg                          the picture with what was found in it: outline, mesh, veins, chains\n\n"
+        + "Exit code: 0 when all is written, 2 for bad usage or input (nothing is written then).\n";
+}

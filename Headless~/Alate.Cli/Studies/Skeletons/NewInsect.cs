@@ -1,0 +1,113 @@
+using System.Text.Json.Nodes;
+
+namespace Alate.Cli;
+
+/// <summary>A new insect of the user's: pictures of its wings and a few numbers, on the body of one of the catalogue.</summary>
+/// <param name="Name">In names of files.</param>
+/// <param name="Like">Insect of the catalogue that has the rest.</param>
+/// <param name="Mass">Of the whole insect, milligrams.</param>
+/// <param name="Frequency">Of the beat, hertz.</param>
+internal sealed record NewInsect(string Name, InsectDefinition Like, decimal Mass, decimal Frequency)
+{
+    private const string k_Given = "given to 'insect new'";
+
+    /// <summary>Traced wings, from front to back, and their lengths, millimetres.</summary>
+    public IReadOnlyList<(TracedWing Wing, decimal Length)> Wings { get; init; }
+
+    /// <summary>Name of the insect file.</summary>
+    public string File => Name + InsectFile.Ending;
+
+    /// <summary>Files of each wing.</summary>
+    public IReadOnlyList<TracedFiles> FilesOfWings =>
+        Wings.Count == 1 ? [new TracedFiles("wing")] : [new TracedFiles("fore"), new TracedFiles("hind")];
+
+    /// <summary>Lengths of wings, millimetres, where the first is known: the others as those of another insect.</summary>
+    public static decimal LengthBehind(InsectDefinition like, decimal first) =>
+        Math.Round(first * (decimal)(SizeOf(like.Wings[1]).wingLength / SizeOf(like.Wings[0]).wingLength), 2);
+
+    /// <summary>Checks that the insect can fly as its file says.</summary>
+    /// <exception cref="UserException">It cannot.</exception>
+    public void Check()
+    {
+        for (int k = 0; k < Wings.Count; k++)
+            WingFiles.FrameOf(Wings[k].Wing.Trace.Skeleton, Wings[k].Wing.Trace.Surface, FilesOfWings[k].Mesh);
+        try
+        {
+            InsectFile.Read(JsonPlace.Read(new StringReader(Text(hasFiles: false))), File);
+        }
+        catch (FormatException problem)
+        {
+            throw new UserException($"{File} would be no insect that flies: {problem.Message}");
+        }
+    }
+
+    /// <summary>Writes all files into a folder.</summary>
+    public void Write(OutputFolder folder)
+    {
+        for (int k = 0; k < Wings.Count; k++)
+            Wings[k].Wing.Write(folder, FilesOfWings[k]);
+        folder.Write(File, stream => stream.Write(Encoding.UTF8.GetBytes(Text(hasFiles: true))));
+    }
+
+    private string Text(bool hasFiles)
+    {
+        PresetSize main = SizeOf(Like.Wings[0]);
+        double heavier = (double)Mass / (1e6 * main.insectMass);
+        var wings = new JsonObject();
+        var sources = new JsonArray
+        {
+            Source("insect mass, frequency", FormattableString.Invariant($"{Mass:0.####} mg, {Frequency:0.####} Hz"), k_Given),
+        };
+        for (int k = 0; k < Wings.Count; k++)
+        {
+            string kind = Like.Wings[k].Name;
+            var wing = new JsonObject();
+            if (hasFiles)
+            {
+                wing[InsectKeys.Mesh] = FilesOfWings[k].Mesh;
+                wing[InsectKeys.Skeleton] = FilesOfWings[k].Skeleton;
+                wing[InsectKeys.Texture] = FilesOfWings[k].Picture;
+            }
+
+            wing[InsectKeys.OfWing[0].Name] = Wings[k].Length;
+            wing[InsectKeys.OfWing[1].Name] = Rounded(heavier * 1e6 * SizeOf(Like.Wings[k]).wingMass);
+            wings[kind] = wing;
+            string picture = Path.GetFileName(Wings[k].Wing.Picture.Path);
+            sources.Add(Source($"{kind}: shape, length", FormattableString.Invariant($"{picture}, {Wings[k].Length:0.####} mm"), k_Given));
+        }
+
+        sources.Add(Source(
+            "mass of the wings, body, motion", "as written",
+            $"those of the {Like.DisplayName}: its share of the mass, its body at this mass"));
+        return InsectFileText.Pretty(new JsonObject
+        {
+            [InsectKeys.VersionKey] = InsectKeys.Version,
+            [InsectKeys.Name] = Name,
+            [InsectKeys.Like] = Like.Name,
+            [InsectKeys.OfInsect[0].Name] = Mass,
+            [InsectKeys.Beat] = new JsonObject { [InsectKeys.Frequency] = Frequency },
+            [InsectKeys.Wings] = wings,
+            [InsectKeys.Body] = new JsonObject { [InsectKeys.Scale] = Rounded(Math.Cbrt(heavier)) },
+            [InsectKeys.Sources] = sources,
+        });
+    }
+
+    private static JsonObject Source(string quantity, string value, string source) => new()
+    {
+        [InsectKeys.Quantity] = quantity,
+        [InsectKeys.Value] = value,
+        [InsectKeys.Source] = source,
+    };
+
+    // Four digits.
+    private static decimal Rounded(double value) =>
+        Math.Round((decimal)value, Math.Clamp(3 - (int)Math.Floor(Math.Log10(value)), 0, 12));
+
+    private static PresetSize SizeOf(WingDefinition wing)
+    {
+        WingPreset preset = wing.CreatePreset();
+        PresetSize size = preset.Size;
+        UnityEngine.Object.DestroyImmediate(preset);
+        return size;
+    }
+}
