@@ -15,10 +15,7 @@ public sealed class FreeTableTests
     private static readonly FreeMoment s_Moment = new FreeMoment(
         1.25, new float3(1f, 2f, 3f), quaternion.identity, new float3(0.5f, -0.25f, 2f), new float3(4f, 5f, 6f),
         new float3(0.1f, 0.2f, 1.5f), new float3(0.5f, -0.25f, -1f),
-        Math.PI / 3.0, 10.5, 0.7, new float3(1e-3f, 5e-3f, -2e-3f), new float3(1e-5f, 2e-5f, 3e-5f), 0.03, 0.004, FlightState.Flying)
-    {
-        WingPowers = [new WingPower(0.01, -0.03, 0.005), new WingPower(0.02, 0.03, 0.06)],
-    };
+        Math.PI / 3.0, 10.5, 0.7, new float3(1e-3f, 5e-3f, -2e-3f), new float3(1e-5f, 2e-5f, 3e-5f), 0.03, 0.004, FlightState.Flying);
 
     [Test]
     public void TheTrajectory_IsInMetresDegreesAndHertz()
@@ -118,6 +115,7 @@ public sealed class FreeTableTests
     private static FreeRecord Record(params FreeMoment[] moments) => new FreeRecord(null, moments, new float3(0.1f, 0.2f, 0.4f), 1.0, null)
     {
         WingNames = ["right fore wing", "left fore wing"],
+        Powers = [.. moments.Select(_ => new[] { new WingPower(0.01, -0.03, 0.005), new WingPower(0.02, 0.03, 0.06) })],
     };
 
     private static Dictionary<string, string> Trajectory(FreeMoment moment) => Row(TrajectoryTable.Of(Record(moment)));

@@ -6,8 +6,4 @@ namespace Alate.Cli;
 internal readonly record struct FreeMoment(
     double Time, float3 Position, quaternion Rotation, float3 Velocity, float3 AngularVelocity, float3 Wanted, float3 Wind, double Phase,
     double Frequency, double Amplitude,
-    float3 Force, float3 Moment, double Power, double AidPower, FlightState State)
-{
-    /// <summary>Powers of each wing.</summary>
-    public IReadOnlyList<WingPower> WingPowers { get; init; } = [];
-}
+    float3 Force, float3 Moment, double Power, double AidPower, FlightState State);

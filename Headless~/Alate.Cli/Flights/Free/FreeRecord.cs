@@ -14,8 +14,11 @@ internal sealed record FreeRecord(
     /// <summary>All that is needed to fly it again.</summary>
     public FlightRecording Recording { get; init; }
 
-    /// <summary>Side and kind of each wing, in the order of <see cref="FreeMoment.WingPowers"/>.</summary>
+    /// <summary>Side and kind of each wing.</summary>
     public IReadOnlyList<string> WingNames { get; init; } = [];
+
+    /// <summary>[moment][wing] Powers.</summary>
+    public IReadOnlyList<WingPower[]> Powers { get; init; } = [];
 
     /// <summary>Velocity off that which the insect followed, root mean square, m/s; bob and all.</summary>
     public double VelocityError => System.Math.Sqrt(Moments.Average(at => math.lengthsq(at.Velocity - at.Wanted)));

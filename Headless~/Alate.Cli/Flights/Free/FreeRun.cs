@@ -15,13 +15,15 @@ internal static class FreeRun
         using FreeFlight flight = recording.StartFlight(model, table);
         IFlightPilot pilot = plan.Replay == null ? plan.Pilot.Create(plan, table) : null;
         var moments = new List<FreeMoment>();
+        var powers = new List<WingPower[]>();
         int push = 0;
         for (int step = 0; step < plan.Steps; step++)
         {
             if (pilot != null)
                 recording.Steps.Add(Next(plan, flight, pilot));
             recording.Fly(flight, step, ref push);
-            moments.Add(Moment(flight) with { WingPowers = Powers(flight, model) });
+            moments.Add(Moment(flight));
+            powers.Add(Powers(flight, model));
             progress(step + 1);
         }
 
@@ -29,6 +31,7 @@ internal static class FreeRun
         {
             Recording = recording,
             WingNames = Names(plan.Insect, model),
+            Powers = powers,
         };
     }
 

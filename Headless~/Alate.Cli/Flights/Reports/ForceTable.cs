@@ -38,9 +38,9 @@ internal static class ForceTable
 
     /// <summary>Rows of a free flight, forces along the world's axes, moments in body axes about the centre of mass.</summary>
     public static IEnumerable<IReadOnlyList<string>> Of(FreeRecord flight) => flight.Moments
-        .Select(at => Row(
+        .Zip(flight.Powers, (at, powers) => Row(
             at.Time, at.Phase, at.Force, at.Moment, at.Force.y, -math.dot(at.Force, math.normalizesafe(at.Velocity - at.Wind)),
-            at.WingPowers))
+            powers))
         .Prepend(Header(flight.WingNames));
 
     private static string[] Header(IEnumerable<string> wings) =>
