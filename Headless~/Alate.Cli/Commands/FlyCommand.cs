@@ -44,7 +44,7 @@ internal static class FlyCommand
                     $"Flown by version {Quote.Of(run.Version)[1..^1]}; this is {PackageRoot.Version}, whose numbers may differ.");
             }
 
-            Fly(Parse(parsed, command, from, run, file), run, options.Folder(parsed));
+            Fly(Parse(parsed, command, run, file, [from, options.Out, free.Record]), run, options.Folder(parsed));
             return 0;
         });
         return command;
@@ -84,13 +84,14 @@ internal static class FlyCommand
         return words;
     }
 
-    // The recorded words as if they had been typed.
-    private static ParseResult Parse(ParseResult parsed, Command command, Option from, FlownRun run, string file)
+    // The recorded words as if they had been typed; no file says where others are written.
+    private static ParseResult Parse(ParseResult parsed, Command command, FlownRun run, string file, Option[] places)
     {
         ParseResult again = parsed.RootCommandResult.Command.Parse(
             run.Record.Command, new ParserConfiguration { ResponseFileTokenReplacer = null });
-        string problem = again.CommandResult.Command != command || again.GetResult(from) is { Implicit: false }
-            ? "it is no command of 'fly'" : UsageProblem.Find(again);
+        bool isFlight = again.CommandResult.Command == command
+            && !Array.Exists(places, place => again.GetResult(place) is { Implicit: false });
+        string problem = isFlight ? UsageProblem.Find(again) : "it is no command of 'fly'.";
         return problem == null ? again : throw new UserException($"{file}: command: {problem}");
     }
 

@@ -1,6 +1,7 @@
 using System.IO;
 using System.Linq;
 using System.Text.Json;
+using System.Text.Json.Nodes;
 using System.Text.RegularExpressions;
 using Alate.Catalogue;
 using Alate.Cli;
@@ -18,6 +19,12 @@ namespace Alate.Tests.Cli
 
         [Test]
         public void DamagedKinematics_FlyOrAreRefusedInOneLine() => FlyKinematics(0, k_Kinematics);
+
+        [Test]
+        public void DamagedSummaries_FlyAgainOrAreRefusedInOneLine() => FlySummaries(0, k_Kinematics);
+
+        [Test, Explicit, Category("Long")]
+        public void SixHundredDamagedSummaries_FlyAgainOrAreRefusedInOneLine() => FlySummaries(k_Kinematics, k_Kinematics + k_All);
 
         [Test, Explicit, Category("Long")]
         public void SixHundredDamagedInsectFiles_FlyOrAreRefusedInOneLine() => FlyInsects(k_Sample, k_Sample + k_All);
@@ -65,6 +72,42 @@ namespace Alate.Tests.Cli
 
             TestContext.Out.WriteLine($"{refused} of {to - from} refused");
             Assert.That(refused, Is.InRange((to - from) / 4, (to - from) * 19 / 20), "some are damaged, and some fly");
+        }
+
+        // What flies again alone: the words of the command, the files and the insect, without the numbers that came of it.
+        private static void FlySummaries(int from, int to)
+        {
+            using var first = new CommandRun();
+            string[] options = ["--substeps", "12", "--elements", "32", "--no-pictures"];
+            Assert.That(first.Run(["fly", "firefly", "--speed", "0.4", .. options, "--out", first.Out]), Is.Zero, first.Errors);
+            JsonObject summary = JsonNode.Parse(File.ReadAllText(Path.Combine(first.Out, "summary.json"))).AsObject();
+            foreach (string key in summary.Select(member => member.Key).ToArray())
+            {
+                if (key is not ("version" or "command" or "inputs" or "insect"))
+                    summary.Remove(key);
+            }
+
+            // A third of the damage to the words.
+            var words = new JsonObject { ["command"] = summary["command"].DeepClone(), ["inputs"] = new JsonArray() };
+            int refused = 0;
+            for (int seed = from; seed < to; seed++)
+            {
+                using var run = new CommandRun();
+                string text = seed % 3 > 0
+                    ? DamagedJson.Of(summary.ToJsonString(), seed) : Joined(DamagedJson.Of(words.ToJsonString(), seed));
+                string file = run.Write("summary.json", text);
+                refused += AssertFliesOrRefuses(run, $"seed {seed}", file, "fly", "--from", file, "--out", run.Out) ? 0 : 1;
+            }
+
+            TestContext.Out.WriteLine($"{refused} of {to - from} refused");
+            Assert.That(refused, Is.InRange((to - from) / 4, (to - from) * 19 / 20), "some are damaged, and some fly");
+
+            string Joined(string damaged)
+            {
+                int end = damaged.TrimEnd().LastIndexOf('}');
+                return end < 0 ? damaged
+                    : damaged[..end] + $", \"version\": \"0.3.0\", \"insect\": {summary["insect"].ToJsonString()}" + damaged[end..];
+            }
         }
 
         // Returns true where it flies.

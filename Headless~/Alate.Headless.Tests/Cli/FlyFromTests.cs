@@ -154,6 +154,8 @@ namespace Alate.Tests.Cli
         [TestCase("command", "[\"bake\", \"monarch\"]", "command: it is no command of 'fly'")]
         [TestCase("command", "[\"fly\", \"--from\", \"x\"]", "command: it is no command of 'fly'")]
         [TestCase("command", "[\"fly\", \"monarch\", \"--sped\", \"1\"]", "command: 'fly' has no option '--sped'. Did you mean '--speed'?")]
+        [TestCase("command", "[\"fly\", \"monarch\", \"--out\", \"x\"]", "command: it is no command of 'fly'")]
+        [TestCase("command", "[\"fly\", \"monarch\", \"--free\", \"--record\", \"x\"]", "command: it is no command of 'fly'")]
         [TestCase("command", "[\"fly\", 3]", "command[1]: it must be a text, not 3")]
         [TestCase("command", "7", "command: it must not be 7")]
         [TestCase("command", null, "'command' is missing, so that it is no summary of 'fly' that can be flown again")]
