@@ -44,8 +44,11 @@ namespace Alate.Tests.Cli
             string[] folders = [Path.Combine(run.Folder, "a"), Path.Combine(run.Folder, "b")];
             string beats = name == "snailfish" ? "1" : "0.3";
             foreach ((string insect, string folder) in new[] { name, file }.Zip(folders))
+            {
                 Assert.That(
                     run.Run(["fly", insect, "--variant", word, "--seconds", beats, "--out", folder, .. options]), Is.Zero, run.Errors);
+            }
+
             string[] names = Directory.GetFiles(folders[0]).Select(Path.GetFileName).ToArray();
             Assert.That(names, Has.Length.EqualTo(options.Length == 0 ? 7 : 5));
             foreach (string one in names)
