@@ -108,7 +108,7 @@ namespace Alate.Tests.Cli
         {
             byte[] whole = CameraPicture.Of("base");
             var random = new System.Random(5);
-            for (int k = 0; k < 300; k++)
+            for (int k = 0; k < 90; k++)
             {
                 byte[] bytes = k % 3 == 0 ? whole[..random.Next(3, whole.Length - 2)] : [.. whole];
                 for (int n = 0; k % 3 != 0 && n < 4; n++)

@@ -62,7 +62,7 @@ namespace Alate.Tests.Cli
             foreach (string name in names)
             {
                 byte[][] bytes = new[] { folder, again }.Select(one => Path.Combine(one, name)).Select(Bytes).ToArray();
-                Assert.That(bytes[1], Is.EqualTo(bytes[0]), name);
+                Assert.That(bytes[1].SequenceEqual(bytes[0]), Is.True, name);
             }
         }
 

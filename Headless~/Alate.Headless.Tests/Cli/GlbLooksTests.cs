@@ -32,7 +32,7 @@ namespace Alate.Tests.Cli
                 traced, "skeleton.json")
             });
 
-            Assert.That(Picture(glb), Is.EqualTo(File.ReadAllBytes(s_Photo)));
+            Assert.That(Picture(glb).SequenceEqual(File.ReadAllBytes(s_Photo)), Is.True);
             File.WriteAllBytes(Path.Combine(run.Folder, "wings.glb"), glb);
             Validate(Path.Combine(run.Folder, "wings.glb"));
         }

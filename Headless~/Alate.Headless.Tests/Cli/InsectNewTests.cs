@@ -95,9 +95,9 @@ namespace Alate.Tests.Cli
             Assert.That((double)Wing(ReadFile(), 1)["lengthMillimetres"], Is.EqualTo(97));
         }
 
-        [TestCase("--length", "50mm", "50", "5cm", "0.05m", "50 mm", "5e-2m", "50000µm", "50000um")]
-        [TestCase("--mass", "1600mg", "1600", "1.6g", "0.0016kg", "1.6 g", "1600000µg")]
-        [TestCase("--frequency", "25Hz", "25", "25", "25/s", "1500/min", "0.025kHz", "157.07963267949rad/s")]
+        [TestCase("--length", "50mm", "50", "5cm", "5e-2m", "50000µm")]
+        [TestCase("--mass", "1600mg", "1600", "1.6 g", "0.0016kg")]
+        [TestCase("--frequency", "25Hz", "25", "1500/min", "157.07963267949rad/s")]
         public void Units_AreAllTheSame(string option, string first, string value, params string[] others)
         {
             foreach (string typed in others.Prepend(first))

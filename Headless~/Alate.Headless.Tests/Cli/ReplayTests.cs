@@ -41,8 +41,9 @@ namespace Alate.Tests.Cli
             Assert.That(Fly(["--free", "--replay", m_File, "--no-pictures"], "again"), Is.Zero, m_Run.Errors);
             foreach (string file in new[] { "trajectory.csv", "forces.csv" })
             {
-                Assert.That(File.ReadAllBytes(Path.Combine(m_Run.Folder, "again", file)),
-                    Is.EqualTo(File.ReadAllBytes(Path.Combine(m_Run.Folder, "recorded", file))), file);
+                byte[] again = File.ReadAllBytes(Path.Combine(m_Run.Folder, "again", file));
+                byte[] recorded = File.ReadAllBytes(Path.Combine(m_Run.Folder, "recorded", file));
+                Assert.That(again.SequenceEqual(recorded), Is.True, file);
             }
 
             Assert.That(Path.Combine(m_Run.Folder, "again", "path.png"), Does.Not.Exist, "--no-pictures");

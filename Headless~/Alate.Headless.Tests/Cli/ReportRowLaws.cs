@@ -37,6 +37,8 @@ public sealed class ReportRowLaws
         Compare(["dragonfly in its own wake"], 4, done => WakeRows.Dragonflies(new Fineness(48, 96), done), 0.03, 0.03);
 
     [Test]
+    [Explicit]
+    [Category("Long")]
     public void AFreeMonarch_IsThatOfTheReport() =>
         Compare("monarch, free flight", 2, done => ButterflyRows.Free(new Fineness(16, 32), done), 0.2, 0.1, false);
 
@@ -55,6 +57,8 @@ public sealed class ReportRowLaws
         Compare(["under a weight of"], 1, done => StructureRows.Droops(new Fineness(12, 24), done), 0.005, 0.001);
 
     [Test]
+    [Explicit]
+    [Category("Long")]
     public void StripsThatMove_AreThoseOfTheReport() =>
         Compare(["root shaken", "flapping at"], 1, done => StructureRows.Motions(new Fineness(48, 96), done), 0.08, 1.5);
 

@@ -111,7 +111,7 @@ namespace Alate.Tests
     public sealed class ConfidenceTests : ConfidenceLaws
     {
         public ConfidenceTests()
-            : base(wings: 20)
+            : base(wings: 10)
         {
         }
     }

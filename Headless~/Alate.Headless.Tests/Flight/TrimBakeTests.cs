@@ -40,6 +40,8 @@ namespace Alate.Tests.FreeFlights
         }
 
         [Test]
+        [Explicit]
+        [Category("Long")]
         public void SpeedsThatNoTrimCloses_GiveNoTable_AndSayWhatIsMissing()
         {
             using var insect = new FlyingInsect("monarch");

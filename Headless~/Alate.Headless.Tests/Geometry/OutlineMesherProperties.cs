@@ -34,7 +34,7 @@ namespace Alate.Tests
 
                 Assert.That(worst, Is.GreaterThan(0.4), "1 is equilateral; a right-angled triangle with an angle of 15° has 0.43");
                 Assert.That(sum, Is.EqualTo(Polygon.Area(mesh.points[..rim])).Within(1e-9 * sum));
-            }).Check(FixedRuns.Of());
+            }).Check(FixedRuns.Of(cases: 40));
         }
 
         private static PlanPoint[] Outline(int seed)

@@ -46,7 +46,7 @@ public sealed class GardenSampleTests : SampleFixture<GardenSample>
     }
 
     [UnityTest]
-    public IEnumerator TheSnailfish_SwimsAroundTheGarden_ByItsOwnFins() => Swim(15);
+    public IEnumerator TheSnailfish_SwimsAroundTheGarden_ByItsOwnFins() => Swim(5);
 
     [UnityTest]
     [Explicit]
@@ -69,7 +69,7 @@ public sealed class GardenSampleTests : SampleFixture<GardenSample>
         DrawnScreen.Slide("Butterflies", 0f);
         DrawnScreen.Slide("Dusk", dusk);
         float brightest = 0f;
-        for (int frame = 0; frame < 360; frame++)
+        for (int frame = 0; frame < 180; frame++)
         {
             brightest = Mathf.Max(brightest, Sample.GetComponentsInChildren<Light>().Where(light => light.type == LightType.Point)
                 .Max(light => light.intensity));

@@ -22,14 +22,14 @@ public abstract class SampleFixture<T> : PlayFixture where T : MonoBehaviour
     protected IEnumerable<InsectWings> Insects => Sample.GetComponentsInChildren<InsectWings>();
 
     [UnityTest]
-    public IEnumerator RunsHundredsOfFrames_WithBeatingWings_LeavesNothing_AndBeginsAgain()
+    public IEnumerator RunsAHundredFrames_WithBeatingWings_LeavesNothing_AndBeginsAgain()
     {
         GiveBackParts();
         yield return Frames(2);
         int before = Count();
         yield return Begin();
         Shrink();
-        yield return Frames(100);
+        yield return Frames(60);
         InsectWings[] insects = [.. Insects];
         Assert.That(insects, Is.Not.Empty);
         foreach (InsectWings insect in insects)
@@ -41,7 +41,7 @@ public abstract class SampleFixture<T> : PlayFixture where T : MonoBehaviour
         Assert.That(DrawnScreen.Controls, Is.Not.Null);
         Assert.That(Camera.main != null, Is.True, "there is no camera");
         Assert.That(WingSystem.ResetCount, Is.Zero);
-        yield return Frames(100);
+        yield return Frames(40);
 
         Object.Destroy(Sample.gameObject);
         yield return Frames(2);
@@ -52,7 +52,7 @@ public abstract class SampleFixture<T> : PlayFixture where T : MonoBehaviour
         Assert.That(Insects.All(insect => insect.State == InsectState.Ready), Is.True);
     }
 
-    /// <summary>Leaves fewer insects of a sample of very many, for the test of hundreds of frames.</summary>
+    /// <summary>Leaves fewer insects of a sample of very many, for the test of a hundred frames.</summary>
     protected virtual void Shrink()
     {
     }

@@ -126,6 +126,8 @@ public sealed class LiveFlightTests
     }
 
     [Test]
+    [Explicit]
+    [Category("Long")]
     public void Gusts_StretchMoreThanStillAir()
     {
         var plan = FlightPlan.Cruise(InsectCatalogue.Find("monarch"), InsectVariant.Standard);

@@ -18,7 +18,7 @@ public sealed class PerchFlightTests
     private const float k_Frame = 1f / 60f;
 
     [TestCase("monarch")]
-    [TestCase("dragonfly")]
+    [TestCase("dragonfly", Explicit = true, Category = "Long")]
     public void AnInsect_ComesToThePerch_SitsOnItsFeet_AndTakesOffAgain(string species) => LandsAndLeaves(species);
 
     [TestCase("swallowtail")]

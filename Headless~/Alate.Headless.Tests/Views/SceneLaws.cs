@@ -20,8 +20,8 @@ namespace Alate.Tests.Views;
 public sealed class SceneLaws
 {
     [TestCase("monarch")]
-    [TestCase("fishfly")]
-    [TestCase("snailfish")]
+    [TestCase("fishfly", Explicit = true, Category = "Long")]
+    [TestCase("snailfish", Explicit = true, Category = "Long")]
     public void AScene_HasBodyWingsAndLooks_InTheAxesOfTheFile(string species)
     {
         InsectDefinition definition = InsectCatalogue.Find(species);

@@ -82,13 +82,13 @@ namespace Alate.Tests.Views
                 for (int k = 0; k < 4; k++)
                     await page.ReadState();
                 float drag = 0f;
-                for (int k = 0; k < 16; k++)
+                for (int k = 0; k < 8; k++)
                 {
                     ViewState state = await page.ReadState();
                     float3 sum = state.Wings[0].Aggregate(float3.zero, (force, wing) => force + wing.Force);
                     Assert.That(state.Lift[0], Is.EqualTo(sum.y).Within(1e-3f + 1e-3f * math.length(sum)), "weights, against gravity");
                     Assert.That(state.Drag[0], Is.EqualTo(-sum.z).Within(1e-3f + 1e-3f * math.length(sum)), "weights, to the rear");
-                    drag += state.Drag[0] / 16f;
+                    drag += state.Drag[0] / 8f;
                 }
 
                 drags.Add(drag);

@@ -60,9 +60,9 @@ namespace Alate.Tests.Wake
             Assert.That(ratio.Phase / k_Degree, Is.EqualTo(0.0).Within(degrees));
         }
 
-        [TestCase(0.1, 0.01, 0.5)]
+        [TestCase(0.1, 0.01, 0.5, Explicit = true, Category = "Long")]
         [TestCase(0.3, 0.015, 2.0)]
-        [TestCase(0.5, 0.05, 2.6)]
+        [TestCase(0.5, 0.05, 2.6, Explicit = true, Category = "Long")]
         public void LiftOfAHeavingPlate_IsTheodorsens(double reduced, double amplitude, double degrees)
         {
             const double k_Height = 0.01, k_Rate = 2.0 * Math.PI;
@@ -79,9 +79,9 @@ namespace Alate.Tests.Wake
             Assert.That(thrust / garrick, Is.EqualTo(1.0).Within(0.025));
         }
 
-        [TestCase(0.1, 0.01, 0.5)]
+        [TestCase(0.1, 0.01, 0.5, Explicit = true, Category = "Long")]
         [TestCase(0.3, 0.015, 2.0)]
-        [TestCase(0.5, 0.045, 2.6)]
+        [TestCase(0.5, 0.045, 2.6, Explicit = true, Category = "Long")]
         public void LiftOfAPlatePitchedAboutAQuarter_IsTheodorsens(double reduced, double amplitude, double degrees)
         {
             const double k_Pitch = k_Degree, k_Rate = 2.0 * Math.PI;

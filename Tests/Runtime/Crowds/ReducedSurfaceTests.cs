@@ -17,7 +17,7 @@ namespace Alate.Tests.Crowds
         [TestCase("monarch")]
         [TestCase("swallowtail", Explicit = true, Category = "Long")]
         [TestCase("firefly", Explicit = true, Category = "Long")]
-        [TestCase("fishfly")]
+        [TestCase("fishfly", Explicit = true, Category = "Long")]
         [TestCase("painted-lichen-moth", Explicit = true, Category = "Long")]
         [TestCase("snailfish", Explicit = true, Category = "Long")]
         [TestCase("dragonfly", Explicit = true, Category = "Long")]

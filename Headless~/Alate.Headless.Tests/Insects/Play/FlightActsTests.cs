@@ -26,7 +26,7 @@ namespace Alate.Tests.Play
         public void LetTimeRun() => Time.timeScale = 1f;
 
         [UnityTest]
-        public IEnumerator RandomActs_HarmNobody() => Act(300, 7);
+        public IEnumerator RandomActs_HarmNobody() => Act(150, 7);
 
         [UnityTest]
         [Explicit]

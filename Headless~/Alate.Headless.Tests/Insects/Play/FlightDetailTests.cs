@@ -48,7 +48,14 @@ namespace Alate.Tests.Play.Headless
         }
 
         [UnityTest]
-        public IEnumerator WhatItIsToldOutOfSight_ItDoes([Values("monarch", "firefly")] string name, [Values(0f, 1f)] float speed)
+        public IEnumerator WhatItIsToldOutOfSight_AMonarchDoes([Values(0f, 1f)] float speed) => DoesWhatItIsTold("monarch", speed);
+
+        [UnityTest]
+        [Explicit]
+        [Category("Long")]
+        public IEnumerator WhatItIsToldOutOfSight_AFireflyDoes([Values(0f, 1f)] float speed) => DoesWhatItIsTold("firefly", speed);
+
+        private IEnumerator DoesWhatItIsTold(string name, float speed)
         {
             InsectFlight flight = Hatch(name);
             InsectWings wings = flight.GetComponent<InsectWings>();
@@ -75,7 +82,14 @@ namespace Alate.Tests.Play.Headless
         }
 
         [UnityTest]
-        public IEnumerator AtEveryDistance_ItFlies([Values("monarch", "firefly", "fishfly")] string name)
+        public IEnumerator AtEveryDistance_AMonarchFlies() => FliesAtEveryDistance("monarch");
+
+        [UnityTest]
+        [Explicit]
+        [Category("Long")]
+        public IEnumerator AtEveryDistance_OthersFly([Values("firefly", "fishfly", "dragonfly")] string name) => FliesAtEveryDistance(name);
+
+        private IEnumerator FliesAtEveryDistance(string name)
         {
             InsectFlight flight = Hatch(name);
             flight.Velocity = new Vector3(0.3f, 0f, 0f);

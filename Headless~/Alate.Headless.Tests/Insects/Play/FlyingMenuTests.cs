@@ -11,6 +11,8 @@ namespace Alate.Tests.Play
     public sealed class FlyingMenuTests : PlayFixture
     {
         [UnityTest]
+        [Explicit]
+        [Category("Long")]
         public IEnumerator AMonarch_WandersWhereItWasPut_WithoutAid() => Wander("monarch", 3);
 
         [UnityTest]

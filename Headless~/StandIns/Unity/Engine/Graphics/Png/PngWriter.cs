@@ -2,6 +2,7 @@ using System;
 using System.Buffers.Binary;
 using System.IO;
 using System.IO.Compression;
+using System.Runtime.InteropServices;
 using UnityEngine;
 
 namespace Unity.StandIns;
@@ -35,60 +36,58 @@ internal static class PngWriter
         using var packed = new MemoryStream();
         using (var packing = new ZLibStream(packed, CompressionLevel.SmallestSize, leaveOpen: true))
         {
-            byte[] above = new byte[4 * width];
+            // Four bytes of nothing are left of each row.
+            byte[] line = new byte[4 + 4 * width], above = new byte[line.Length];
+            byte[] best = new byte[1 + 4 * width], filtered = new byte[best.Length];
             for (int row = 0; row < height; row++)
             {
-                byte[] line = Line(pixels.AsSpan(row * width, width));
-                packing.Write(Filtered(line, above));
-                above = line;
+                MemoryMarshal.AsBytes(pixels.AsSpan(row * width, width)).CopyTo(line.AsSpan(4));
+                int least = int.MaxValue;
+                for (byte filter = 0; filter <= k_Filters; filter++)
+                {
+                    filtered[0] = filter;
+                    int sum = Filter(filter, line, above, filtered.AsSpan(1));
+                    if (sum >= least)
+                        continue;
+                    least = sum;
+                    (best, filtered) = (filtered, best);
+                }
+
+                packing.Write(best);
+                (line, above) = (above, line);
             }
         }
 
         return packed.ToArray();
     }
 
-    private static byte[] Line(ReadOnlySpan<Color32> pixels)
+    // Sum of the differences from what the filter predicts: the filter with the least is taken, as the standard advises.
+    private static int Filter(byte filter, ReadOnlySpan<byte> line, ReadOnlySpan<byte> above, Span<byte> filtered)
     {
-        byte[] line = new byte[4 * pixels.Length];
-        for (int k = 0; k < pixels.Length; k++)
-            (line[4 * k], line[4 * k + 1], line[4 * k + 2], line[4 * k + 3]) = (pixels[k].r, pixels[k].g, pixels[k].b, pixels[k].a);
-        return line;
-    }
-
-    // The filter whose differences are smallest in sum, as the standard advises.
-    private static byte[] Filtered(byte[] line, byte[] above)
-    {
-        byte[] best = null;
-        long least = long.MaxValue;
-        for (byte filter = 0; filter <= k_Filters; filter++)
+        ReadOnlySpan<byte> here = line[4..], left = line[..^4], up = above[4..], corner = above[..^4];
+        int sum = 0;
+        for (int k = 0; k < filtered.Length; k++)
         {
-            byte[] filtered = new byte[1 + line.Length];
-            filtered[0] = filter;
-            long sum = 0;
-            for (int k = 0; k < line.Length; k++)
+            int predicted = filter switch
             {
-                int left = k < 4 ? 0 : line[k - 4], corner = k < 4 ? 0 : above[k - 4];
-                filtered[k + 1] = (byte)(line[k] - Predicted(filter, left, above[k], corner));
-                sum += Math.Abs((int)(sbyte)filtered[k + 1]);
-            }
-
-            (best, least) = sum < least ? (filtered, sum) : (best, least);
+                0 => 0,
+                1 => left[k],
+                2 => up[k],
+                3 => (left[k] + up[k]) / 2,
+                _ => Paeth(left[k], up[k], corner[k]),
+            };
+            filtered[k] = (byte)(here[k] - predicted);
+            sum += Math.Abs((int)(sbyte)filtered[k]);
         }
 
-        return best;
+        return sum;
     }
 
-    private static int Predicted(byte filter, int left, int above, int corner)
+    // Which of the three is nearest to left + above - corner.
+    private static int Paeth(int left, int above, int corner)
     {
         int toLeft = Math.Abs(above - corner), toAbove = Math.Abs(left - corner), toCorner = Math.Abs(left + above - 2 * corner);
-        return filter switch
-        {
-            0 => 0,
-            1 => left,
-            2 => above,
-            3 => (left + above) / 2,
-            _ => toLeft <= toAbove && toLeft <= toCorner ? left : toAbove <= toCorner ? above : corner,
-        };
+        return toLeft <= toAbove && toLeft <= toCorner ? left : toAbove <= toCorner ? above : corner;
     }
 
     private static void WriteChunk(MemoryStream file, string name, byte[] content)
