@@ -1,5 +1,6 @@
 using System.Net;
 using System.Net.Sockets;
+using System.Net.WebSockets;
 using System.Threading;
 using System.Threading.Tasks;
 using Microsoft.AspNetCore.Builder;
@@ -33,6 +34,7 @@ internal sealed class ViewServer
     private readonly InsectVariant m_Variant;
     private readonly CancellationTokenSource m_Stop = new();
     private string[] m_Hosts = [];
+    private Task<SceneInsect> m_First;
     private int m_Pages;
 
     private ViewServer(InsectDefinition species, InsectVariant variant, int port, ThreeSource three)
@@ -82,6 +84,7 @@ internal sealed class ViewServer
         IServer kestrel = server.m_Application.Services.GetRequiredService<IServer>();
         server.Address = new Uri(kestrel.Features.Get<IServerAddressesFeature>().Addresses.First());
         server.m_Hosts = [$"127.0.0.1:{server.Address.Port}", $"localhost:{server.Address.Port}"];
+        server.m_First = server.MakeInsect();
         return server;
     }
 
@@ -93,8 +96,30 @@ internal sealed class ViewServer
         await m_Application.StopAsync(patience.Token);
         while (Volatile.Read(ref m_Pages) > 0)
             await Task.Delay(5);
+        if (Interlocked.Exchange(ref m_First, null) is { } first)
+            await Drop(first);
         await m_Application.DisposeAsync();
         m_Stop.Dispose();
+    }
+
+    // The insect of the first page is made, and its wings are painted, while the browser starts.
+    private Task<SceneInsect> MakeInsect() => Simulation.Do(() =>
+    {
+        m_Stop.Token.ThrowIfCancellationRequested();
+        return new SceneInsect(ViewSettings.Of(m_Species, m_Variant));
+    });
+
+    private async Task Drop(Task<SceneInsect> insect)
+    {
+        try
+        {
+            SceneInsect made = await insect;
+            await Simulation.Do(made.Dispose);
+        }
+        catch (Exception problem) when (problem is OperationCanceledException or UserException)
+        {
+            // It was not made.
+        }
     }
 
     private static void Limit(KestrelServerOptions options, int port)
@@ -160,7 +185,9 @@ internal sealed class ViewServer
             }
 
             using var end = CancellationTokenSource.CreateLinkedTokenSource(m_Stop.Token, context.RequestAborted);
-            await using var session = new ViewSession(await context.WebSockets.AcceptWebSocketAsync(), Simulation, m_Species, m_Variant);
+            WebSocket socket = await context.WebSockets.AcceptWebSocketAsync();
+            Task<SceneInsect> insect = Interlocked.Exchange(ref m_First, null) ?? MakeInsect();
+            await using var session = new ViewSession(socket, Simulation, insect);
             await session.Run(end.Token);
         }
         finally

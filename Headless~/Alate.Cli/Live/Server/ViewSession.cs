@@ -7,8 +7,7 @@ using System.Threading.Tasks;
 namespace Alate.Cli;
 
 /// <summary>One page that is open: its requests come in and the states of its insect go out over one web socket.</summary>
-internal sealed class ViewSession(WebSocket socket, SimulationThread simulation, InsectDefinition species, InsectVariant variant)
-    : IAsyncDisposable
+internal sealed class ViewSession(WebSocket socket, SimulationThread simulation, Task<SceneInsect> insect) : IAsyncDisposable
 {
     /// <summary>Longest message of text, longest file, and longest files of one message together, bytes.</summary>
     public const int LongestText = 4096, LongestFile = 16 << 20, LongestFiles = 2 * LongestFile;
@@ -32,7 +31,7 @@ internal sealed class ViewSession(WebSocket socket, SimulationThread simulation,
         Task receiving = Receive(end);
         try
         {
-            m_Insect = await simulation.Do(() => new SceneInsect(ViewSettings.Of(species, variant)));
+            m_Insect = await insect;
             await Send(await simulation.Do(() => SceneMessage.Hello(m_Insect.Known, ViewSlider.All)), end.Token);
             await Send(m_Insect.Scene, end.Token);
             using var timer = new PeriodicTimer(TimeSpan.FromSeconds(1.0 / SceneInsect.Rate));
