@@ -10,7 +10,7 @@ internal static class ValidateCommand
     /// <summary>Part of the front page.</summary>
     internal const string Part = "validation";
 
-    private const int k_Stages = 33;
+    private const int k_Stages = 41;
 
     public static Command Create(TextWriter output)
     {
@@ -25,13 +25,13 @@ internal static class ValidateCommand
             HelpName = "FILE.md",
             Description = "A page whose part 'validation' gets the rows of the package's front page.",
         };
-        var command = new Command(k_Name, "Compares the model with measured and published flights, and its structure with beams.") { data,
-            folder, front };
+        const string k_About = "Compares the model with measured and published flights, its wakes and its structure with theory.";
+        var command = new Command(k_Name, k_About) { data, folder, front };
         HelpExamples.Set(command, k_Examples);
         command.SetAction(parsed =>
         {
             Run(parsed.GetValue(data), parsed.GetValue(folder) ?? Path.Combine("out", "validation"), parsed.GetValue(front), output,
-                () => DragonflyRows.Curves(DragonflyRows.Substeps), Parts);
+                () => DragonflyCurves.Make(DragonflyRows.Substeps), Parts);
             return 0;
         });
         return command;
@@ -41,10 +41,13 @@ internal static class ValidateCommand
     private static IReadOnlyList<Func<Action, IEnumerable<ValidationRow>>> Parts { get; } =
     [
         done => DragonflyRows.Flights(Fineness.Report, done), done => DragonflyRows.Tethered(Fineness.Report, done),
-        done => WakeRows.Dragonflies(Fineness.Report, done),
-        done => ButterflyRows.Free(Fineness.Report, done), done => ButterflyRows.Climbing(Fineness.Report, done),
-        done => ButterflyRows.Held(Fineness.Report, done), done => StructureRows.Droops(Fineness.Report, done),
-        done => StructureRows.Motions(Fineness.Report, done), done => StructureRows.Insects(Fineness.Report, done),
+        done => FreeRows.Butterfly("monarch", Fineness.Report, done), done => FreeRows.Butterfly("swallowtail", Fineness.Report, done),
+        done => FreeRows.Moth(Fineness.Report, done), done => FreeRows.Firefly(Fineness.Report, done),
+        done => ButterflyRows.Climbing(Fineness.Report, done), done => ButterflyRows.Held(Fineness.Report, done),
+        done => StructureRows.Insects(Fineness.Report, done),
+        done => DragonflyVariants.Flights(Fineness.Report, done), done => DragonflyVariants.Tethered(Fineness.Report, done),
+        WakeRows.Beating, WakeRows.Starting, WakeRows.Steady, WakeRows.Revolving,
+        done => StructureRows.Droops(Fineness.Report, done), done => StructureRows.Motions(Fineness.Report, done),
     ];
 
     /// <summary>Writes the report.</summary>
@@ -76,7 +79,7 @@ internal static class ValidateCommand
             if (data != null)
                 rows.AddRange(UserCurves.Rows(curves));
             Write(folder, k_Page, ValidationPage.Markdown(rows, curves, k_Charts));
-            Write(folder, k_Json, ValidationPage.Json(rows, curves));
+            Write(folder, k_Json, ValidationJson.Write(rows, curves));
             Write(folder, k_Charts, ValidationCharts.Draw(curves));
             around?.Write(Path.GetFileName(front),
                 stream => stream.Write(Encoding.UTF8.GetBytes(PageBlock.Replace(page, Part, ValidationPage.Selection(rows), k_Name))));
@@ -84,7 +87,7 @@ internal static class ValidateCommand
         });
         folder.Commit();
         around?.Commit();
-        output.WriteLine($"{rows.Count(row => row.IsInside)} of {rows.Count} rows agree.");
+        output.WriteLine($"{rows.Count(row => row.IsCounted && row.IsInside)} of {rows.Count(row => row.IsCounted)} counted rows agree.");
         terminal.ShowFiles(path, k_Page, k_Json, k_Charts);
     }
 
@@ -97,7 +100,7 @@ internal static class ValidateCommand
         + "  validate --data curves --out mine\n"
         + "  validate --out Documentation~ --readme README.md\n\n"
         + "Writes into the output folder:\n"
-        + "  validation.md          a row for each comparison: measured, source, ours, verdict, ours at twice the substeps\n"
+        + "  validation.md          best physics, a row for each comparison, what moves those outside\n"
         + "  validation.json        the same with the curves\n"
         + "  images/validation.svg  curves over the beat beside the measured ones\n\n"
         + "Exit code: 0 when all is written, 2 for bad usage or input (nothing is written then).\n";

@@ -11,8 +11,9 @@ namespace Alate.Tests.Cli;
 /// <summary>Commands that write the manual, with made-up rows and files in place of minutes of flights.</summary>
 public sealed class ReportCommandTests
 {
-    private static readonly ValidationRow s_Good = new("level, largest twist", 1, 2, "1 to 2", "a source", 1.5, 1.5, "unseen"),
-        s_Bad = new("other", 1, 2, "1 to 2", "a source", 3, 3, "because"), s_Third = new("third", 0, 1, "", "", 0.5, 0.5, "");
+    private static readonly ValidationRow s_Good = new("level", "largest twist", 1, 2, "1 to 2", "two animals", "a source", 1.5, 1.5),
+        s_Bad = new("other", "lift", 1, 2, "1 to 2", "two animals", "a source", 3, 3),
+        s_Third = new("third", "lift", 0, 1, "", "two animals", "", 0.5, 0.5);
 
     private static List<ValidationCurve> Curves() =>
         [new("twist", "twist", [("flexible", [0.0, 1.0, 0.0, -1.0])], [0, 2, 0, -2], "by somebody"),
@@ -35,11 +36,12 @@ public sealed class ReportCommandTests
 
         ValidationRow[] rows = [s_Good, s_Bad, s_Third];
         Assert.That(Text(run, "validation.md"), Is.EqualTo(ValidationPage.Markdown(rows, Curves(), "images/validation.svg")));
-        Assert.That(Text(run, "validation.json"), Is.EqualTo(ValidationPage.Json(rows, Curves())));
+        Assert.That(Text(run, "validation.json"), Is.EqualTo(ValidationJson.Write(rows, Curves())));
         Assert.That(Text(run, "images/validation.svg"), Is.EqualTo(ValidationCharts.Draw(Curves())));
         Assert.That(File.ReadAllText(front), Is.EqualTo("# A\n" + PageBlock.Begin("validation", "validate")
             + ValidationPage.Selection(rows) + PageBlock.End("validation") + "\nrest\n"));
-        Assert.That(output.ToString(), Does.StartWith("2 of 3 rows agree.").And.Contain("validation.md").And.Contain("validation.svg"));
+        Assert.That(output.ToString(), Does.StartWith("2 of 3 counted rows agree.")
+            .And.Contain("validation.md").And.Contain("validation.svg"));
     }
 
     [Test]
@@ -52,9 +54,9 @@ public sealed class ReportCommandTests
         ValidateCommand.Run(data, run.Out, null, output, Curves, [Part(s_Bad)]);
 
         List<ValidationCurve> curves = UserCurves.Read(data, Curves());
-        Assert.That(Text(run, "validation.json"), Is.EqualTo(ValidationPage.Json([s_Bad, .. UserCurves.Rows(curves)], curves)));
+        Assert.That(Text(run, "validation.json"), Is.EqualTo(ValidationJson.Write([s_Bad, .. UserCurves.Rows(curves)], curves)));
         Assert.That(Text(run, "images/validation.svg"), Is.EqualTo(ValidationCharts.Draw(curves)));
-        Assert.That(output.ToString(), Does.StartWith("2 of 3 rows agree."));
+        Assert.That(output.ToString(), Does.StartWith("0 of 1 counted rows agree."), "curves of one's own do not count");
     }
 
     [Test]

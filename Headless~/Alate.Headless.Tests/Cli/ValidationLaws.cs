@@ -81,18 +81,57 @@ public sealed class ValidationLaws
     {
         double[] curve = [.. Enumerable.Range(0, 10).Select(k => (double)(1 << k))];
 
-        Assert.That(DragonflyRows.Stroke(curve, middle), Is.EqualTo(places.Average(k => curve[k])).Within(1e-9));
+        Assert.That(DragonflyCurves.Stroke(curve, middle), Is.EqualTo(places.Average(k => curve[k])).Within(1e-9));
     }
 
+    // Half strokes of a beat on the spot, beside sums over its frames.
     [Test]
-    public void ARowNearAMeasuredValue_HasItsBandOnBothSides()
+    public void HalfStrokesOfABeat_AreThoseOfItsFrames()
     {
-        ValidationRow row = DragonflyRows.Near("mean", "dragonfly", 2.0, 0.3, "a source", 1.5, 1.75, "a cause");
+        FlightRecord flight = TetheredFlight.Fly(m_Flight.Plan with { RecordsAir = true });
+        double weight = 9.81 * flight.Wings[0].Wing.Preset.Size.insectMass, pitch = 25 * Math.PI / 180, down = 0, all = 0, power = 0;
+        var attacks = new List<double>();
+        foreach (RecordedWing wing in flight.Wings)
+        {
+            double unit = wing.Wing.Preset.Size.wingMass * wing.Wing.Preset.Size.wingLength;
+            foreach (RecordedFrame frame in wing.Frames)
+            {
+                double up = unit * (Math.Cos(pitch) * frame.AirForce.y + Math.Sin(pitch) * frame.AirForce.z) / wing.Frames.Count / weight;
+                all += up;
+                down += frame.Phase < Math.PI ? up : 0;
+                power += frame.Power.Air / wing.Frames.Count / (weight / 9.81);
+            }
+        }
 
-        Assert.That((row.Low, row.High), Is.EqualTo((1.4, 2.6)).Using<(double, double)>((a, b) =>
-            Math.Abs(a.Item1 - b.Item1) + Math.Abs(a.Item2 - b.Item2) < 1e-9));
-        Assert.That((row.Title, row.Measured, row.Source, row.Ours, row.Fine, row.Cause), Is.EqualTo(
-            ("dragonfly: mean of the vertical force over the weight", "2.00 ± 30 %", "a source", 1.5, 1.75, "a cause")));
+        var strokes = HalfStrokes.Of(flight, weight);
+        Assert.That(strokes.DownImpulse, Is.EqualTo(100 * down).Within(0.1).Percent);
+        Assert.That(down, Is.GreaterThan(0.5 * all));
+        Assert.That(strokes.Stored, Is.EqualTo(power).Within(0.1).Percent);
+        Assert.That(strokes.Unstored, Is.GreaterThanOrEqualTo(strokes.Stored), "what is given back helps");
+        // A mean over the wing lies between its strips.
+        foreach ((double middle, double told) in new[] { (0.25, strokes.DownAttack), (0.75, strokes.UpAttack) })
+        {
+            List<double> strips = [.. flight.Wings[0].Frames.Where(frame => Math.Abs(frame.Phase / (2 * Math.PI) - middle) < 0.05)
+                .SelectMany(frame => frame.Strips).Where(strip => strip.Area > 0).Select(strip => 180 / Math.PI * strip.Attack)];
+            Assert.That(told, Is.InRange(strips.Min(), strips.Max()));
+            Assert.That(told, Is.EqualTo(strips.Average()).Within(6));
+        }
+    }
+
+    // Half of a last digit of one number alone moves the lift by less than the band; the band of finer digits is narrower.
+    [Test]
+    public void LastDigits_LeaveABandThatHoldsEachOfThem()
+    {
+        MeasuredDragonfly flight = MeasuredDragonfly.Flights[1];
+        (double lift, double thrust) = LastDigits.Of(flight);
+        double Lift(MeasuredDragonfly changed) =>
+            BladeElements.Curve(changed, BladeElements.Point.MidChord, ownDrag: true).Average(moment => moment.Lift);
+        double faster = Lift(flight with { Speed = flight.Speed + 0.05 }) - Lift(flight),
+            heavier = Lift(flight with { Mass = flight.Mass + 5e-6 }) - Lift(flight);
+
+        Assert.That(lift, Is.GreaterThan(1.96 * Math.Sqrt((faster * faster + heavier * heavier) / 3)).And.LessThan(0.12));
+        Assert.That(thrust, Is.GreaterThan(0.01).And.LessThan(0.12));
+        Assert.That(LastDigits.Of(flight with { HalfSpeed = 0.5 }).Lift, Is.GreaterThan(lift));
     }
 
     [Test]
@@ -100,11 +139,11 @@ public sealed class ValidationLaws
     {
         double[] a = [1, 2, 4, 7, 11];
 
-        Assert.That(DragonflyRows.Correlation(a, [.. a.Select(value => 3 * value - 20)]), Is.EqualTo(1).Within(1e-12));
-        Assert.That(DragonflyRows.Correlation(a, [.. a.Select(value => 5 - value)]), Is.EqualTo(-1).Within(1e-12));
+        Assert.That(DragonflyCurves.Correlation(a, [.. a.Select(value => 3 * value - 20)]), Is.EqualTo(1).Within(1e-12));
+        Assert.That(DragonflyCurves.Correlation(a, [.. a.Select(value => 5 - value)]), Is.EqualTo(-1).Within(1e-12));
         // Pearson's, of the deviations −1, 0, 1 and 1, −2, 1: they are at right angles.
-        Assert.That(DragonflyRows.Correlation([1, 2, 3], [3, 0, 3]), Is.Zero.Within(1e-12));
-        Assert.That(DragonflyRows.Correlation([1, 2, 3, 100], [3, 0, 6, double.NaN]), Is.EqualTo(3 / Math.Sqrt(2 * 18)).Within(1e-12));
+        Assert.That(DragonflyCurves.Correlation([1, 2, 3], [3, 0, 3]), Is.Zero.Within(1e-12));
+        Assert.That(DragonflyCurves.Correlation([1, 2, 3, 100], [3, 0, 6, double.NaN]), Is.EqualTo(3 / Math.Sqrt(2 * 18)).Within(1e-12));
     }
 
     // A table in steps of five degrees, straight between: the mean of two neighbours lies in the middle, and slopes go on within a step.

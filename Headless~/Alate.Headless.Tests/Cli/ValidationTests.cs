@@ -32,7 +32,7 @@ namespace Alate.Tests.Cli
             var run = DragonflyRun.Fly(MeasuredDragonfly.Tethered, true, 48, 1.2);
             double[] ours = run.Even(run.Lift, 50);
 
-            Assert.That(DragonflyRows.Correlation(ours, MeasuredDragonfly.TetheredForce), Is.GreaterThan(0.9));
+            Assert.That(DragonflyCurves.Correlation(ours, MeasuredDragonfly.TetheredForce), Is.GreaterThan(0.9));
             Assert.That(ours.Average(), Is.EqualTo(MeasuredDragonfly.TetheredForce.Average()).Within(30).Percent);
             Assert.That(ours.Max(), Is.EqualTo(MeasuredDragonfly.TetheredForce.Max()).Within(30).Percent);
         }
@@ -67,7 +67,7 @@ namespace Alate.Tests.Cli
             string documentation = Path.Combine(PackageRoot.Find(), "Documentation~"), page = Text(documentation, "validation.md"),
                 front = Text(PackageRoot.Find(), "README.md");
             JsonElement report = JsonDocument.Parse(Text(documentation, "validation.json")).RootElement;
-            var rows = report.GetProperty("rows").EnumerateArray().Select(Row).ToList();
+            List<ValidationRow> rows = ReportRows();
             string begin = PageBlock.Begin(ValidateCommand.Part, "validate");
             string part = front[(front.IndexOf(begin, StringComparison.Ordinal) + begin.Length)..front.IndexOf(
                 PageBlock.End(ValidateCommand.Part), StringComparison.Ordinal)];
@@ -81,20 +81,64 @@ namespace Alate.Tests.Cli
         }
 
         [Test]
-        public void TheReport_SaysOfEveryRow_WhereItIsFrom_AndEveryRowIsConverged()
+        public void CountedRowsOfTheReport_HaveABandOfASource_AndAreOneARecordAndQuantity()
         {
-            JsonElement report = JsonDocument.Parse(Text(PackageRoot.Find(), "Documentation~", "validation.json")).RootElement;
-            foreach (JsonElement row in report.GetProperty("rows").EnumerateArray())
+            List<ValidationRow> rows = ReportRows(), counted = rows.FindAll(row => row.IsCounted);
+
+            Assert.That(counted.Select(row => (row.Record, row.Quantity)), Is.Unique);
+            Assert.That(counted, Has.Count.InRange(15, 40));
+            foreach (ValidationRow row in counted)
             {
-                string title = row.GetProperty("title").GetString();
-                foreach (string name in new[] { "measured", "source", "verdict" })
-                    Assert.That(row.GetProperty(name).GetString(), Is.Not.Empty, title);
-                Assert.That(row.GetProperty("ours").ValueKind, Is.EqualTo(JsonValueKind.Number), title);
-                Assert.That(row.GetProperty("inside").GetBoolean() || row.GetProperty("cause").GetString().Length > 0, title);
-                Assert.That(row.GetProperty("at_twice_the_substeps").ValueKind, Is.EqualTo(JsonValueKind.Number), title);
-                Assert.That(row.GetProperty("change").GetDouble(), Is.LessThanOrEqualTo(ValidationRow.Converged), title);
-                Assert.That(row.GetProperty("converged").GetBoolean(), title);
+                Assert.That(row.HasBand, row.Title);
+                Assert.That(double.IsFinite(row.Low) || double.IsFinite(row.High), row.Title);
+                Assert.That(row.Source, Is.Not.Empty.And.Not.EqualTo("–"), row.Title);
+                // What was not measured says so.
+                Assert.That(row.Published, Does.Match("^(measured|computed|known)"), row.Title);
+                Assert.That(row.Band, Does.Not.Contain("ours").And.Not.Contain("tolerance"), row.Title);
+                Assert.That(row.IsConverged, row.Title);
             }
+        }
+
+        [Test]
+        public void EveryCountedRowOutside_HasAnExperimentWithANumber()
+        {
+            foreach (ValidationRow row in ReportRows().Where(row => row.IsCounted && !row.IsInside))
+            {
+                Assert.That(row.Experiments, Is.Not.Empty, row.Title);
+                Assert.That(row.Experiments.Select(one => one.Changed), Is.Unique, row.Title);
+                Assert.That(row.Experiments.All(one => double.IsFinite(one.Value)), row.Title);
+                Assert.That(row.Experiments.Any(one => Math.Abs(one.Value - row.Value) > 0.02 * Math.Abs(row.Value)), row.Title);
+            }
+        }
+
+        [Test]
+        public void WhatIsNotCounted_IsTheory_AVariant_OrSaysWhy()
+        {
+            List<ValidationRow> rows = ReportRows();
+
+            foreach (ValidationRow row in rows.Where(row => !row.IsCounted && row.Table == ValidationTable.Insects && row.Variant == null))
+                Assert.That(row.Reason, Is.Not.Empty, row.Title);
+            foreach (ValidationRow row in rows.Where(row => row.Variant != null))
+            {
+                Assert.That(rows.Any(one => one.Variant == null && one.Record == row.Record && one.Quantity == row.Quantity), row.Title);
+            }
+            foreach (ValidationTable table in new[] { ValidationTable.Wakes, ValidationTable.Strips })
+            {
+                Assert.That(rows.Where(row => row.Table == table).Select(row => row.IsCounted), Is.Not.Empty.And.None.True);
+                Assert.That(rows.Where(row => row.Table == table).Select(row => row.Published), Has.All.Match("^(theory|measured): "));
+            }
+        }
+
+        [Test]
+        public void TheFrontPage_CountsInsectsAlone()
+        {
+            ValidationRow inside = new("fly", "lift", 1, 2, "measured: 1 to 2", "two flies", "s", 1.5, 1.5),
+                strip = inside with { Record = "strip", Table = ValidationTable.Strips };
+            string text = ValidationPage.Selection([inside, inside with { Record = "moth", Fine = 3 }, strip, strip, strip]);
+
+            Assert.That(text, Does.StartWith("1 of 2 ").And.Contain("3 of strips").And.Not.Contain("| strip"));
+            string page = ValidationPage.Markdown([inside, strip with { Fine = 3 }], s_Curves, "p.svg");
+            Assert.That(page, Does.Contain("1 of 1 rows of insects agree").And.Contain("0 of 1 lie in it"));
         }
 
         // Its published angles beside blade elements apart from the model.
@@ -104,7 +148,7 @@ namespace Alate.Tests.Cli
             List<BladeElements.Moment> blades = BladeElements.Curve(MeasuredDragonfly.Tethered, BladeElements.Point.Axis);
             double[] ours = Enumerable.Range(0, 50).Select(n => blades[n * blades.Count / 50].Attack).ToArray();
 
-            Assert.That(DragonflyRows.Correlation(ours, MeasuredDragonfly.TetheredAttack), Is.GreaterThan(0.9));
+            Assert.That(DragonflyCurves.Correlation(ours, MeasuredDragonfly.TetheredAttack), Is.GreaterThan(0.9));
         }
 
         [TestCase(0)]
@@ -141,7 +185,7 @@ namespace Alate.Tests.Cli
         [Test]
         public void ARow_SaysHowFarItIsOutside_ByItsFinestValue()
         {
-            var row = new ValidationRow("", 1, 2, "", "", 1.5, 2.25, "");
+            var row = new ValidationRow("", "", 1, 2, "", "two", "", 1.5, 2.25);
 
             Assert.That((row.IsInside, row.Distance), Is.EqualTo((false, 0.25)));
             Assert.That(row.Change, Is.EqualTo(1.0 / 3).Within(1e-9));
@@ -149,18 +193,29 @@ namespace Alate.Tests.Cli
         }
 
         [Test]
-        public void ThePage_HasTheRowsOutsideFirst_WithTheirCauses()
+        public void ThePage_HasTheRowsOutsideFirst_WithTheirExperiments_AndVariantsInAFold()
         {
-            var rows = new List<ValidationRow> { new("good", 1, 2, "1 to 2", "s", 1.5, 1.5, "unseen"),
-                new("bad", 1, 2, "1 to 2", "s", 3, 3, "because") };
+            ValidationRow good = new("good", "lift", 1, 2, "1 to 2", "two", "s", 1.5, 1.5);
+            ValidationRow[] rows =
+            [
+                good, good with { Record = "bad", Fine = 3, Experiments = [new("no wake", 1.25), new("rigid", 4)] },
+                good with { Variant = "soft", Fine = 7 }, good with { Record = "lone", Band = "", Reason = "one value", Fine = 8 },
+            ];
 
             string page = ValidationPage.Markdown(rows, s_Curves, "p.svg");
+            string[] order = ["| bad: lift | 1 to 2 |", "| bad: lift | no wake | 3.00 | 1.25 | inside |",
+                "| bad: lift | rigid | 3.00 | 4.00 | outside |", "| good: lift |", "<details>", "| lone: lift |", "one value", "</details>",
+                "<details>", "| good, soft: lift |", "</details>"];
+            int at = 0;
+            foreach (string part in order)
+            {
+                at = page.IndexOf(part, at, StringComparison.Ordinal);
+                Assert.That(at, Is.GreaterThan(0), part);
+                at += part.Length;
+            }
 
-            Assert.That(
-                page.IndexOf("| bad |", StringComparison.Ordinal), Is.InRange(0, page.IndexOf("| good |", StringComparison.Ordinal)));
-            Assert.That(
-                page, Does.Contain("outside by 1.00").And.Contain("because").And.Not.Contain("unseen").And.Contain("1 of 2 rows agree"));
-            Assert.That(JsonDocument.Parse(ValidationPage.Json(rows, s_Curves)).RootElement.GetProperty("rows")[1].GetProperty("distance")
+            Assert.That(page, Does.Contain("outside by 1.00").And.Contain("1 of 2 rows of insects agree"));
+            Assert.That(JsonDocument.Parse(ValidationJson.Write(rows, s_Curves)).RootElement.GetProperty("rows")[1].GetProperty("distance")
                 .GetDouble(), Is.EqualTo(1));
         }
 
@@ -188,8 +243,8 @@ namespace Alate.Tests.Cli
             List<ValidationCurve> curves = UserCurves.Read(run.Folder, ours);
 
             Assert.That(curves[0].Measured, Is.EqualTo(new[] { 1, 1, 1, 1, 0, double.NaN, double.NaN, double.NaN, 0, 0 }));
-            Assert.That(DragonflyRows.Correlation([1, 2, 3, 50], [2, 4, 6, double.NaN]), Is.EqualTo(1).Within(1e-9));
-            Assert.That(JsonDocument.Parse(ValidationPage.Json([], curves)).RootElement.GetProperty("curves")[0]
+            Assert.That(DragonflyCurves.Correlation([1, 2, 3, 50], [2, 4, 6, double.NaN]), Is.EqualTo(1).Within(1e-9));
+            Assert.That(JsonDocument.Parse(ValidationJson.Write([], curves)).RootElement.GetProperty("curves")[0]
                 .GetProperty("measured")[5].ValueKind, Is.EqualTo(JsonValueKind.Null));
         }
 
@@ -215,11 +270,21 @@ namespace Alate.Tests.Cli
 
         private static string Text(params string[] path) => File.ReadAllText(Path.Combine(path)).ReplaceLineEndings("\n");
 
+        private static List<ValidationRow> ReportRows() =>
+            [.. JsonDocument.Parse(Text(PackageRoot.Find(), "Documentation~", "validation.json")).RootElement.GetProperty("rows")
+                .EnumerateArray().Select(Row)];
+
         private static ValidationRow Row(JsonElement row) => new(
-            row.GetProperty("title").GetString(), Number(row, "low", double.NegativeInfinity), Number(row, "high", double.PositiveInfinity),
-            row.GetProperty("measured").GetString(),
-            row.GetProperty("source").GetString(), Number(row, "ours", double.NaN), Number(row, "at_twice_the_substeps", double.NaN),
-            row.GetProperty("cause").GetString());
+            row.GetProperty("record").GetString(), row.GetProperty("quantity").GetString(), Number(row, "low", double.NegativeInfinity),
+            Number(row, "high", double.PositiveInfinity), row.GetProperty("published").GetString(), row.GetProperty("band").GetString(),
+            row.GetProperty("source").GetString(), Number(row, "ours", double.NaN), Number(row, "at_twice_the_substeps", double.NaN))
+        {
+            Table = Enum.Parse<ValidationTable>(row.GetProperty("table").GetString(), true),
+            Variant = row.GetProperty("variant").GetString(),
+            Reason = row.GetProperty("reason").GetString(),
+            Experiments = [.. row.GetProperty("experiments").EnumerateArray().Select(one =>
+                new ValidationExperiment(one.GetProperty("changed").GetString(), Number(one, "value", double.NaN)))],
+        };
 
         private static ValidationCurve Curve(JsonElement curve) =>
             new("", curve.GetProperty("title").GetString(), [], null, curve.GetProperty("published").GetString());

@@ -184,7 +184,7 @@ namespace Alate.Tests.Cli
         public void WithItsWake_ADragonflyCarriesItsWeight(int number)
         {
             MeasuredDragonfly flight = MeasuredDragonfly.Flights[number];
-            using WakeFlight wake = WakeRows.Of(flight, 48, 3, 1, out DragonflyRun run);
+            using WakeFlight wake = WakeForces.Shed(flight, 48, 3, 1, out DragonflyRun run);
             List<WakeMoment> beat = wake.Run(_ => { });
             Assert.That(beat.Average(at => at.Force.y) / flight.Weight, Is.EqualTo(1.0).Within(0.12));
             // Near that of the model without a wake, in the same units.

@@ -25,7 +25,7 @@ public sealed class WakePlaneLaws
     public void Shed()
     {
         m_Flight = new FlightPlan { Species = "monarch", PitchDegrees = k_Pitch, Speed = 3.0 };
-        var motion = new Tests.Wake.Plate
+        var motion = new ThinWing
         {
             Span = 0.9f,
             Root = 0.05f,

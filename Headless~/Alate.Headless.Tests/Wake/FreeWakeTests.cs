@@ -1,5 +1,6 @@
 using System;
 using System.Linq;
+using Alate.Cli;
 using Alate.Wake;
 using MathNet.Numerics.LinearAlgebra;
 using NUnit.Framework;
@@ -66,7 +67,7 @@ namespace Alate.Tests.Wake
             float[] lifts = Array.ConvertAll(new[] { 16, 96 }, panels =>
             {
                 var settings = new WakeSettings { SpanPanels = panels, StepsPerBeat = 8, Stream = new float3(0f, 0f, -4f) };
-                using var wake = new FreeWake(settings, new[] { new WakeWing(Plate.Steady(2f, 0.1)) });
+                using var wake = new FreeWake(settings, new[] { new WakeWing(ThinWing.Steady(2f, 0.1)) });
                 for (int k = 0; k < 16; k++)
                     wake.Step();
                 Assert.That(wake.Failures, Is.Zero, $"{panels} strips");
@@ -123,7 +124,7 @@ namespace Alate.Tests.Wake
             // Kelvin: rings are closed, so what a row has shed since the start adds up to what is bound.
             using var wake = new FreeWake(
                 new WakeSettings(WakeMethod.Panels) { SpanPanels = 4, Stream = new float3(0f, 0f, -1f), Keep = 10f },
-                new[] { new WakeWing(Plate.Steady(3f, 0.1)) });
+                new[] { new WakeWing(ThinWing.Steady(3f, 0.1)) });
             for (int k = 0; k < 30; k++)
                 wake.Step();
             WingState wing = wake.Wings[0];
@@ -156,7 +157,7 @@ namespace Alate.Tests.Wake
         {
             using var wake = new FreeWake(
                 new WakeSettings(method) { SpanPanels = 5, Symmetric = true, Stream = new float3(0f, 0f, -1f) },
-                new[] { new WakeWing(Plate.Steady(2f, 0.1)) });
+                new[] { new WakeWing(ThinWing.Steady(2f, 0.1)) });
             for (int k = 0; k < 4; k++)
                 wake.Step();
             // The least of some steps: the runtime allocates now and then as it compiles.
@@ -231,14 +232,14 @@ namespace Alate.Tests.Wake
                 default: (settings.SpanPanels, settings.StepsPerBeat, settings.Keep) = (256, 1000, 8f); break;
             }
 
-            WakeWing[] wings = { new(Plate.Steady(1f, 0.0)) };
+            WakeWing[] wings = { new(ThinWing.Steady(1f, 0.0)) };
             Assert.That(Assert.Throws<ArgumentException>(() => _ = new FreeWake(settings, wings)).Message, Is.EqualTo(message));
         }
 
         [Test]
         public void AWingWithoutAnArea_IsNamed() => Assert.That(
             Assert.Throws<ArgumentException>(
-                () => _ = new FreeWake(new WakeSettings(), new[] { new WakeWing(Plate.Steady(0f, 0.0)) })).Message,
+                () => _ = new FreeWake(new WakeSettings(), new[] { new WakeWing(ThinWing.Steady(0f, 0.0)) })).Message,
             Does.StartWith("A wing has an area of 0"));
     }
 }

@@ -1,3 +1,4 @@
+using Alate.Cli;
 using Alate.Wake;
 using NUnit.Framework;
 using Unity.Mathematics;
@@ -36,7 +37,7 @@ namespace Alate.Tests.Wake
 
         private static WingLattice Lattice(float root)
         {
-            var plate = new Plate { Span = 2f, Root = root, Move = _ => (0.0, 0.0, 0.1, 0.0) };
+            var plate = new ThinWing { Span = 2f, Root = root, Move = _ => (0.0, 0.0, 0.1, 0.0) };
             var lattice = new WingLattice(new WakeWing(plate), s_Settings);
             lattice.Place(0.0, s_Settings.Stream, 0.05f);
             return lattice;

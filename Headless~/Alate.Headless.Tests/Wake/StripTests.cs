@@ -1,4 +1,5 @@
 using System;
+using Alate.Cli;
 using Alate.Wake;
 using NUnit.Framework;
 using Unity.Mathematics;
@@ -41,7 +42,7 @@ namespace Alate.Tests.Wake
                 Stream = new float3(0f, 0f, -1f),
             };
             using var wake = new FreeWake(
-                settings, new[] { new WakeWing(Plate.Steady(span, k_Pitch)) { Coefficients = null, Downwash = MeasuredDownwash.None } });
+                settings, new[] { new WakeWing(ThinWing.Steady(span, k_Pitch)) { Coefficients = null, Downwash = MeasuredDownwash.None } });
             for (int k = 0; k < 100; k++)
                 wake.Step();
             Assert.That(wake.Failures, Is.Zero);
@@ -69,7 +70,7 @@ namespace Alate.Tests.Wake
         [Test]
         public void AWingAndItsMirrorImage_AreTwoWings()
         {
-            Plate right = Beating(0.2f, 1f), left = Beating(-0.2f, -1f);
+            ThinWing right = Beating(0.2f, 1f), left = Beating(-0.2f, -1f);
             var both = new WakeSettings { SpanPanels = 6, Stream = new float3(0f, 0f, -2f) };
             var half = new WakeSettings { SpanPanels = 6, Stream = new float3(0f, 0f, -2f), Symmetric = true };
             using var two = new FreeWake(both, new[] { new WakeWing(right), new WakeWing(left) });
@@ -85,7 +86,7 @@ namespace Alate.Tests.Wake
             }
         }
 
-        private static Plate Beating(float root, float side) => new()
+        private static ThinWing Beating(float root, float side) => new()
         {
             Root = root,
             Span = 2f * side,

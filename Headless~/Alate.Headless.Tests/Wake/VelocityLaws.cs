@@ -1,5 +1,6 @@
 using System;
 using System.Linq;
+using Alate.Cli;
 using Alate.Wake;
 using NUnit.Framework;
 using Unity.Mathematics;
@@ -25,7 +26,7 @@ namespace Alate.Tests.Wake
                 FarCore = 1e-3f,
                 BoundCore = 1e-3f,
             };
-            m_Wake = new FreeWake(settings, new[] { new WakeWing(Plate.Steady(k_Span, 0.1)) });
+            m_Wake = new FreeWake(settings, new[] { new WakeWing(ThinWing.Steady(k_Span, 0.1)) });
             Assert.That(() => Velocity(default), Throws.InvalidOperationException, "before the first step");
             for (int k = 0; k < 40; k++)
                 m_Wake.Step();
@@ -91,8 +92,8 @@ namespace Alate.Tests.Wake
                 Assert.That(math.distance(found[k], Velocity(many[k])), Is.LessThan(1e-6f), $"{k}");
             Assert.That(() => m_Wake.Velocities(many, new float3[4999]), Throws.ArgumentException.With.Message.Contains("5000 points"));
 
-            using var asked = new FreeWake(Small(), new[] { new WakeWing(Plate.Steady(k_Span, 0.1)) });
-            using var quiet = new FreeWake(Small(), new[] { new WakeWing(Plate.Steady(k_Span, 0.1)) });
+            using var asked = new FreeWake(Small(), new[] { new WakeWing(ThinWing.Steady(k_Span, 0.1)) });
+            using var quiet = new FreeWake(Small(), new[] { new WakeWing(ThinWing.Steady(k_Span, 0.1)) });
             for (int k = 0; k < 10; k++)
             {
                 asked.Step();

@@ -1,4 +1,5 @@
 using System.Linq;
+using Alate.Cli;
 using Alate.Wake;
 using NUnit.Framework;
 using Unity.Mathematics;
@@ -86,7 +87,7 @@ namespace Alate.Tests.Wake
         private static VortexSheet Shed(int count, float near, int panels, System.Func<int, int, float> circulation, int rows = 8)
         {
             var settings = new WakeSettings(WakeMethod.Strips) { SpanPanels = panels, Stream = s_Stream, TrailingShare = 0f };
-            var lattice = new WingLattice(new WakeWing(Plate.Steady(2f, 0.1)), settings);
+            var lattice = new WingLattice(new WakeWing(ThinWing.Steady(2f, 0.1)), settings);
             var sheet = new VortexSheet(panels, rows, Cores(near));
             using var still = new VortexField(1, rows * (panels + 1), new MirrorImages(false, false, default, 0f));
             for (int row = 0; row < count; row++)

@@ -1,4 +1,5 @@
 using System;
+using Alate.Cli;
 using Alate.Wake;
 using NUnit.Framework;
 using Unity.Mathematics;
@@ -10,7 +11,7 @@ namespace Alate.Tests.Wake
     {
         private static double Rise(double beats) => -0.6 * Math.PI * Math.Sin(2.0 * Math.PI * beats);
 
-        private static Plate Heaving(float root, float span) => new()
+        private static ThinWing Heaving(float root, float span) => new()
         {
             Root = root,
             Span = span,
@@ -56,7 +57,7 @@ namespace Alate.Tests.Wake
             {
                 using var wake = new FreeWake(
                     new WakeSettings { SpanPanels = 16, StepsPerBeat = 4, Keep = 25f, Stream = new float3(0f, 0f, -1f) },
-                    new[] { new WakeWing(Plate.Steady(k_Span, 0.3)) { Downwash = downwash } });
+                    new[] { new WakeWing(ThinWing.Steady(k_Span, 0.3)) { Downwash = downwash } });
                 for (int k = 0; k < 80; k++)
                     wake.Step();
                 lift = wake.Loads(0).Force.y / (0.5f * k_Span);

@@ -1,4 +1,5 @@
 using System;
+using Alate.Cli;
 using Alate.Wake;
 using NUnit.Framework;
 using Unity.Mathematics;
@@ -46,7 +47,7 @@ namespace Alate.Tests.Wake
         // Vector area of a ring of four corners.
         private static float3 Area(float3 a, float3 b, float3 c, float3 d) => 0.5f * math.cross(c - a, d - b);
 
-        private static Plate Beating() => new()
+        private static ThinWing Beating() => new()
         {
             Span = 4f,
             Root = -2f,

@@ -1,5 +1,6 @@
 using System;
 using System.Linq;
+using Alate.Cli;
 using Alate.Wake;
 using NUnit.Framework;
 using Unity.Mathematics;
@@ -11,7 +12,7 @@ namespace Alate.Tests.Wake
     {
         private static FreeWake Heaving(WakeMethod method) => new(
             new WakeSettings(method) { SpanPanels = 6, Stream = new float3(0f, 0f, -3f) },
-            [new WakeWing(new Plate
+            [new WakeWing(new ThinWing
             {
                 Root = 0.3f,
                 Span = 2.4f,
@@ -52,7 +53,7 @@ namespace Alate.Tests.Wake
         public void AnEllipse_HasAnEllipticCirculation_AndTheForceOfItsStrips()
         {
             const float k_Span = 10f, k_Speed = 2f;
-            var ellipse = new Plate
+            var ellipse = new ThinWing
             {
                 Root = -0.5f * k_Span,
                 Span = k_Span,

@@ -12,7 +12,8 @@ internal static class FlightFigures
     public const string Page = "results.md";
 
     private const string k_Climbing = "Kang, Sridhar et al. 2020, a monarch that climbs by 0.75 m/s at 1.28 m/s",
-        k_Halves = "Bode-Oke and Dong 2020, a monarch in forward flight";
+        k_Halves = "Bode-Oke and Dong 2020, a monarch in forward flight",
+        k_Dudley = "Dudley 1991, computed for 15 species of butterflies";
 
     private static readonly float[] s_Speeds = [0f, 0.65f, 1.3f, 2.3f];
 
@@ -65,10 +66,9 @@ internal static class FlightFigures
             "25.4°", k_Climbing];
         yield return ["upstroke's share of the force", Percent(level.UpForce), "", "32 %", k_Halves];
         yield return ["upstroke's share of the weight support", Percent(level.UpSupport), "", "8 %", k_Halves];
-        yield return ["lift of the downstroke over the weight",
-            $"{Percent(level.DownLift)} in the downstroke, {Percent(1 - level.UpSupport)} averaged over the beat",
-            "", "118 %", "Dudley 1991, butterflies"];
-        yield return ["power to the air", Text($"{level.PowerPerMass:0} W/kg"), "", "", "no measurement found"];
+        yield return ["upward impulse of the downstroke over that of the weight in the beat", Percent(1 - level.UpSupport), "", "118 %",
+            k_Dudley];
+        yield return ["power to the air", Text($"{level.PowerPerMass:0} W/kg"), "", "12.5 W/kg", k_Dudley];
     }
 
     // Trims at the speeds and climbs of the flights in the tunnel.

@@ -63,10 +63,12 @@ internal static class BladeElements
     /// <param name="induced">Velocity of the air that the wings draw along, m/s: right, up, ahead.</param>
     /// <param name="twisted">Whether the first harmonic of the fore wing's pitch falls to 9° at the root, as in flight 1.</param>
     /// <param name="ownDrag">Whether the drag is that of a dragonfly's wing.</param>
+    /// <param name="wings">Motion of fore and hind wing; null for that of the flight.</param>
     public static List<Moment> Curve(
-        MeasuredDragonfly flight, Point point, float3 induced = default, bool twisted = false, bool ownDrag = false)
+        MeasuredDragonfly flight, Point point, float3 induced = default, bool twisted = false, bool ownDrag = false,
+        IReadOnlyList<PresetKinematics> wings = null)
     {
-        IReadOnlyList<PresetKinematics> wings = DragonflyRun.Kinematics(flight);
+        wings ??= DragonflyRun.Kinematics(flight);
         var beat = new List<Moment>();
         for (int k = 0; k < k_Moments; k++)
         {

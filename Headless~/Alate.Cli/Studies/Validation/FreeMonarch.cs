@@ -2,38 +2,13 @@ using Alate.Flight;
 
 namespace Alate.Cli;
 
-/// <summary>Free flight of the catalogue's monarch, level at 1.3 m/s. Degrees and per cent.</summary>
-/// <param name="UpForce">Share of the upstroke in the mean size of the force.</param>
-/// <param name="UpSupport">Share of the upstroke in the upward impulse.</param>
-/// <param name="Power">To the air, W/kg.</param>
-/// <param name="DownAttack">Mean angle of attack in the middle of the downstroke.</param>
-/// <param name="UpAttack">In the middle of the upstroke.</param>
-/// <param name="PitchBob">Half of the range of the pitch.</param>
-internal sealed record FreeMonarch(double UpForce, double UpSupport, double Power, double DownAttack, double UpAttack, double PitchBob)
+/// <summary>The catalogue's monarch in the climb that was measured.</summary>
+internal static class FreeMonarch
 {
-    private const float k_Speed = 1.3f;
-
     /// <summary>Speed and climb of the measured monarch, m/s.</summary>
     private const float k_ClimbingSpeed = 1.28f, k_Climb = 0.75f;
 
-    private const int k_Beats = 60;
-
-    /// <summary>Time of the means.</summary>
-    private const double k_Seconds = 12;
-
     private static readonly FlightCondition s_Climb = new(k_ClimbingSpeed, k_Climb);
-
-    /// <summary>Flies with so many substeps of a beat, by the species' trim table.</summary>
-    public static FreeMonarch Fly(int substeps)
-    {
-        InsectDefinition monarch = InsectCatalogue.Find("monarch");
-        using FlightModel model = CatalogueFlight.CreateModel(monarch);
-        using TrimTable table = CatalogueFlight.CreateTable(monarch, model);
-        TrimmedFlight.Refine(model, parameters => substeps);
-        var level = FlightMeans.Fly(model, table, new FlightCondition(k_Speed, 0f), k_Seconds);
-        (double down, double up) = Attacks(model, table);
-        return new FreeMonarch(100 * level.UpForce, 100 * level.UpSupport, level.PowerPerMass, down, up, level.PitchBob);
-    }
 
     /// <summary>Trim of the measured climb with the body held still, which closes at any fineness of time.</summary>
     /// <param name="substeps">Of a beat.</param>
@@ -85,30 +60,5 @@ internal sealed record FreeMonarch(double UpForce, double UpSupport, double Powe
         TrimState climbing = bake.Trims(solver, climbs)[0, 3];
         missing = bake.Problems[0, 3];
         return climbing;
-    }
-
-    // Means over the patches of the right wing, within a twentieth of a beat of the middle of each stroke.
-    private static (double Down, double Up) Attacks(FlightModel model, TrimTable table)
-    {
-        using var flight = new FreeFlight(model, table, new FlightCondition(k_Speed, 0f));
-        var command = FlightCommand.Fly(new float3(0f, 0f, k_Speed), 0f);
-        WingHandle wing = flight.Wings[0];
-        flight.World.RecordPatches(wing, true);
-        var down = new List<double>();
-        var up = new List<double>();
-        while (flight.Beats < k_Beats)
-        {
-            flight.Step(command, 1f / (32f * flight.World.Read(wing).Frequency));
-            WingReading reading = flight.World.Read(wing);
-            double turn = reading.Phase / (2 * Math.PI);
-            List<double> stroke = Math.Abs(turn - 0.25) < 0.05 ? down : Math.Abs(turn - 0.75) < 0.05 ? up : null;
-            if (flight.Beats >= k_Beats / 2)
-            {
-                stroke?.Add(
-                    Enumerable.Range(0, reading.PatchCount).Average(patch => math.degrees((double)reading.PatchAngleOfAttack(patch))));
-            }
-        }
-
-        return (down.Average(), up.Average());
     }
 }

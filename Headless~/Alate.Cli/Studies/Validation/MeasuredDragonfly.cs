@@ -12,11 +12,24 @@ internal sealed record MeasuredDragonfly(
     string Name, double Speed, double Climb, double Mass, double[] Lengths, double[] Areas, string Source)
 {
     private const string k_Azuma = "Azuma and Watanabe 1988, J. exp. Biol. 137",
+        k_Climb = "Azuma, Azuma, Watanabe and Furuta 1985, J. exp. Biol. 116",
         k_Wang = "Wang and Russell 2007, Phys. Rev. Lett. 99:148101";
     private static readonly double[] s_AzumaLengths = [0.0500, 0.0485], s_AzumaAreas = [500e-6, 600e-6];
 
     /// <summary>The three flights in a tunnel.</summary>
     public static IReadOnlyList<MeasuredDragonfly> Flights { get; } = [Flight(1, 0.7, -12), Flight(2, 1.5, -1.1), Flight(3, 2.3, 4.8)];
+
+    /// <summary>The fourth flight, of another animal, whose mass and wings are not at hand: those of the first one.</summary>
+    public static MeasuredDragonfly Fourth { get; } = Flight(4, 3.2, 0);
+
+    /// <summary>A smaller dragonfly, <i>Sympetrum frequens</i>, that climbs at 60°.</summary>
+    public static MeasuredDragonfly Climbing { get; } = new(
+        "dragonfly-climb", 0.54 * Math.Cos(Math.PI / 3), 0.54 * Math.Sin(Math.PI / 3), 260e-6, [0.0335, 0.0325], [221e-6, 272e-6], k_Climb)
+    {
+        BodyLength = 0.040,
+        HalfSpeed = 0.005,
+        HalfAngle = 0.5,
+    };
 
     /// <summary>The tethered insect.</summary>
     public static MeasuredDragonfly Tethered { get; } = new("dragonfly-tethered", 0, 0, 620e-6, [0.046, 0.043], [380e-6, 440e-6], k_Wang);
@@ -43,6 +56,20 @@ internal sealed record MeasuredDragonfly(
         23, 22, 21, 22, 25, 31, 35, double.NaN, double.NaN, double.NaN, double.NaN, double.NaN, double.NaN, 58, 67, 69, 60, 57, 60, 66, 74,
         81, 84, 84, 80, 76, 74, 74, 79, 85, 85, 80, 78, 80, 80, 78, 72, 63, 42, 19, 13, 16, 20, 23, 23, 23, 22, 22, 23, 23,
     ];
+
+    /// <summary>Mean and largest value of that force in each of the five beats.</summary>
+    public static IReadOnlyList<double> TetheredMeans { get; } = [1.00, 0.63, 0.64, 0.93, 0.85];
+    public static IReadOnlyList<double> TetheredPeaks { get; } = [3.43, 2.60, 2.99, 3.92, 2.62];
+
+    /// <summary>Least correlation of one of the beats with the mean of the other four.</summary>
+    public const double TetheredLikeness = 0.89;
+
+    /// <summary>Length of the body, m.</summary>
+    public double BodyLength { get; init; } = 0.075;
+
+    /// <summary>Half of the last printed digit of speed, m/s, and of the climb's angle, degrees.</summary>
+    public double HalfSpeed { get; init; } = 0.05;
+    public double HalfAngle { get; init; } = 0.05;
 
     /// <summary>Weight, newtons.</summary>
     public double Weight => Mass * EarthGravity.Precise;

@@ -8,7 +8,7 @@ internal static partial class UserCurves
     /// <summary>Distance between two rows, over the usual one, from which on the curve has a hole there.</summary>
     private const double k_Hole = 3;
 
-    private const double k_LeastSize = 0.7, k_MostSize = 1.3;
+    private const double k_LeastLikeness = 0.9, k_LeastSize = 0.7, k_MostSize = 1.3;
     private const string k_Data = "--data";
 
     /// <summary>Puts the curves of a folder in place of the published ones.</summary>
@@ -33,14 +33,18 @@ internal static partial class UserCurves
         IReadOnlyList<ValidationCurve> curves) => curves.Where(curve => curve.Published == k_Data).SelectMany(curve => new[]
     {
         new ValidationRow(
-            $"tethered dragonfly, {curve.Title}: correlation of {curve.Ours[^1].Name} with the curve of --data", 0.9, 1,
-            "0.9 or more", k_Data,
-            DragonflyRows.Correlation(curve.Ours[^1].Values, curve.Measured), double.NaN, "not known"),
+            "tethered dragonfly", $"{curve.Title}: correlation of {curve.Ours[^1].Name} with the curve of --data", k_LeastLikeness, 1,
+            k_Data, "ours", k_Data, DragonflyCurves.Correlation(curve.Ours[^1].Values, curve.Measured), double.NaN)
+        {
+            Table = ValidationTable.Data,
+        },
         new ValidationRow(
-            $"tethered dragonfly, {curve.Title}: most less least of {curve.Ours[^1].Name} over that of the curve of --data", k_LeastSize,
-            k_MostSize, "1 ± 0.3", k_Data,
-            Size(curve.Ours[^1].Values) / Size(curve.Measured), double.NaN,
-            "not known; about 57 is a sign of radians in place of degrees, about 100 of shares in place of per cent"),
+            "tethered dragonfly", $"{curve.Title}: most less least of {curve.Ours[^1].Name} over that of the curve of --data", k_LeastSize,
+            k_MostSize, k_Data, "ours; about 57 is a sign of radians in place of degrees, about 100 of shares in place of per cent", k_Data,
+            Size(curve.Ours[^1].Values) / Size(curve.Measured), double.NaN)
+        {
+            Table = ValidationTable.Data,
+        },
     });
 
     // Between the rows straight, over the end of the beat too; not a number where rows are missing.

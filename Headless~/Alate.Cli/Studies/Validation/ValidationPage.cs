@@ -1,21 +1,21 @@
-using System.Text.Json;
-
 namespace Alate.Cli;
 
-/// <summary>The report of all comparisons, as a page, as JSON and as charts.</summary>
+/// <summary>The report of all comparisons as a page, and its part of the front page.</summary>
 internal static class ValidationPage
 {
-    // Words of the titles of the front page's rows.
-    private static readonly string[][] s_Selected =
-    [
-        ["flight 1, rigid wings: lift"], ["flight 2, rigid wings: lift"], ["flight 3, rigid wings: lift"],
-        ["flight 2, rigid wings: thrust"],
-        ["tethered", "no induced flow: mean of the vertical"], ["tethered", "m/s: mean of the vertical"], ["tethered",
-            "m/s: correlation of the vertical"],
-        ["monarch, free flight: power"], ["monarch, free flight: upstroke's share of the weight"], ["level", "largest twist"],
-    ];
+    /// <summary>The physics by which the counted rows are flown.</summary>
+    private const string k_Physics = "- **Dragonfly**: the published motion as it was filmed, on wings that do not bend besides, for it "
+        + "holds how they bent; lift and drag coefficients measured on dragonflies ([Dragonfly](wing-preset.md#options)); each wing in "
+        + "the free [wake](wake.md) of all by strips, 24 steps of a beat and ten strips, twice as many of both beside twice the "
+        + "substeps. No induced flow besides, no added mass.\n"
+        + "- **Butterflies, moth, firefly**: [free flight](flight.md) by their own wings, variant *flight*, no aid, air at rest; wings "
+        + "that bend, coefficients of the preset; no wake.\n"
+        + "- **Monarch held**: the standard wings that bend, nose up by 30°, as it flies.\n";
 
-    private static readonly JsonSerializerOptions s_Json = new() { WriteIndented = true };
+    private const string k_Sizes = "The dragonfly's rows are flown with the catalogue's wings at the published lengths; the density of "
+        + "the air makes up for the difference in area. The motions are [examples of the manual](kinematics.md#examples), of series that "
+        + "J. Pecquet collected. Forces of a steady flight are known without a measurement: the weight and the drag of the body, here that "
+        + "of the catalogue's body.\n";
 
     /// <summary>The page, Markdown; rows that do not agree stand first.</summary>
     /// <param name="rows">The comparisons.</param>
@@ -23,23 +23,33 @@ internal static class ValidationPage
     /// <param name="picture">Path of the charts from the page.</param>
     public static string Markdown(IReadOnlyList<ValidationRow> rows, IReadOnlyList<ValidationCurve> curves, string picture)
     {
-        List<ValidationRow> outside = rows.Where(row => !row.IsInside).ToList(), inside = rows.Where(row => row.IsInside).ToList();
-        var refined = rows.Where(row => !double.IsNaN(row.Fine)).ToList();
+        List<ValidationRow> counted = [.. rows.Where(row => row.IsCounted)];
         var page = new StringBuilder("# Validation\n\nJudge how far the model can be trusted: it stands here beside measured and published "
             + "flights, written by [`validate`](command-line.md#validate), at ");
         page.Append(CultureInfo.InvariantCulture, $"{DragonflyRows.Substeps} substeps of a beat and at "
             + $"{DragonflyRows.FineSubsteps}; the last columns say how far both are apart, and the verdict is that of the finer one. ");
-        page.Append(CultureInfo.InvariantCulture, $"{inside.Count} of {rows.Count} rows agree; "
-            + $"{refined.Count(row => row.IsConverged)} of {refined.Count} are converged within {100 * ValidationRow.Converged:0} %.\n\n");
-        page.Append("The dragonfly's rows are flown with the catalogue's wings at the published lengths; the density of the air makes up "
-            + "for the difference in area. Added mass goes with the square of the chord and is too large by as much, 7 to 10 % for the "
-            + "tethered insect. Rows *with the drag of a dragonfly's wing* have the coefficients [Dragonfly](wing-preset.md#options), the "
-            + "others those of the presets. Rows *in its own wake* have no induced flow but a free [wake](wake.md) by strips, in 24 steps "
-            + "of a beat and ten strips, and in twice as many of both beside twice the substeps. Their kinematics are "
-            + "[examples of the manual](kinematics.md#examples), digitised from plots by J. Pecquet.\n\nStrips are wings of "
-            + "[measured stiffness](wing-skeleton.md#measured-stiffness) without air; they are compared with beams.\n\n");
-        page.Append("## Outside\n\n").Append(MarkdownTable.Write(Table(outside, true)));
-        page.Append("\n## Inside\n\n").Append(MarkdownTable.Write(Table(inside, false)));
+        page.Append(CultureInfo.InvariantCulture, $"{Count(counted)} rows of insects agree, one row a record and quantity. "
+            + $"{counted.Count(row => row.IsConverged)} of them are converged within {100 * ValidationRow.Converged:0} "
+            + $"% of the value or {100 * ValidationRow.OfBand:0} % of the band.\n\n");
+        page.Append("A row counts if the published value has a band of its source: the spread between beats or animals, two sources, or "
+            + "what the last printed digits leave open. *Measured* is what was measured; what others computed from a measured motion says "
+            + "so.\n\n");
+        page.Append("## Best physics\n\nThe counted rows are flown by the best that the package has:\n\n").Append(k_Physics).Append('\n')
+            .Append(k_Sizes);
+        page.Append("\n## Insects outside\n\n").Append(MarkdownTable.Write(Table(counted.Where(row => !row.IsInside))));
+        page.Append("\nWhat moves them: the same value after one change, computed by the same command.\n\n")
+            .Append(MarkdownTable.Write(Experiments(counted.Where(row => !row.IsInside))));
+        page.Append("\n## Insects inside\n\n").Append(MarkdownTable.Write(Table(counted.Where(row => row.IsInside))));
+        Fold(page, "Not counted: no band of a source, or a row that says nothing", MarkdownTable.Write(
+            Reasons(rows.Where(row => row.Table == ValidationTable.Insects && row.Variant == null && row.Reason != null))));
+        Fold(page, "Other variants of the same flights, not counted", MarkdownTable.Write(
+            Table(rows.Where(row => row.Table == ValidationTable.Insects && row.Variant != null))));
+        Section(page, rows, ValidationTable.Wakes, "Wakes beside theory", "Lattices of panels or strips that shed a [free wake](wake.md), "
+            + "beside closed forms of thin wings and the wing of Dickinson, Lehmann and Sane 1999; the second value is that of a finer "
+            + "lattice with shorter steps. Theory has no spread.");
+        Section(page, rows, ValidationTable.Strips, "Strips beside beam theory", "Wings of "
+            + "[measured stiffness](wing-skeleton.md#measured-stiffness) without air, which are strips. Theory has no spread.");
+        Section(page, rows, ValidationTable.Data, "Your curves", "Curves of `--data` beside the last curve of the model.");
         page.Append("\n## Over the beat\n\nThe tethered dragonfly with the induced flow of momentum theory, but for the curve that says "
             + "otherwise. `validate --data DIR` draws curves of your own in place of the published ones.\n\n");
         page.Append(MarkdownTable.Write(curves.Select(curve => new[] { curve.Title, curve.Published }).Prepend(["curve", "published"])))
@@ -48,62 +58,72 @@ internal static class ValidationPage
         return page.ToString();
     }
 
-    /// <summary>All rows as JSON.</summary>
-    public static string Json(IReadOnlyList<ValidationRow> rows, IReadOnlyList<ValidationCurve> curves) => JsonSerializer.Serialize(
-        new
-        {
-            substeps = DragonflyRows.Substeps,
-            fine_substeps = DragonflyRows.FineSubsteps,
-            rows = rows.Select(row => new
-            {
-                title = row.Title,
-                measured = row.Measured,
-                low = Finite(row.Low),
-                high = Finite(row.High),
-                source = row.Source,
-                ours = Finite(row.Ours),
-                at_twice_the_substeps = Finite(row.Fine),
-                change = Finite(row.Change),
-                converged = row.IsConverged,
-                verdict = row.Verdict,
-                inside = row.IsInside,
-                distance = Finite(row.Distance),
-                cause = row.IsInside ? null : row.Cause,
-            }),
-            curves = curves.Select(curve => new
-            {
-                key = curve.Key,
-                title = curve.Title,
-                published = curve.Published,
-                measured = curve.Measured?.Select(Finite),
-                ours = curve.Ours.ToDictionary(one => one.Name, one => one.Values),
-            }),
-        },
-        s_Json) + "\n";
-
     /// <summary>The rows that the package's front page shows, Markdown.</summary>
-    public static string Selection(IReadOnlyList<ValidationRow> rows) =>
-        $"{rows.Count(row => row.IsInside)} of the {rows.Count} comparisons of [Validation](Documentation~/validation.md) agree. Some of "
-        + "both kinds:\n\n"
-        + MarkdownTable.Write(s_Selected
-        .SelectMany(words => rows.Where(row => words.All(row.Title.Contains)))
-        .Select(row => new[] { row.Title, $"{row.Measured} ({row.Source})", Text($"{row.Value:0.00}"), row.Verdict })
-        .Prepend(["", "measured", "here", "verdict"]));
-
-    private static IEnumerable<string[]> Table(IReadOnlyList<ValidationRow> rows, bool causes)
+    public static string Selection(IReadOnlyList<ValidationRow> rows)
     {
-        string[] head = ["", "measured", "source", "ours", "verdict", "at twice the substeps", "change"];
-        yield return causes ? [.. head, "believed cause"] : head;
-        foreach (ValidationRow row in rows)
+        List<ValidationRow> counted = [.. rows.Where(row => row.IsCounted)];
+        return $"{Count(counted)} comparisons of insects with measured and published flights agree. "
+            + $"{Of(rows, ValidationTable.Wakes).Count} rows of wakes and {Of(rows, ValidationTable.Strips).Count} of strips beside theory "
+            + "are not counted among them: [Validation](Documentation~/validation.md).\n\n"
+            + MarkdownTable.Write(counted.Select(row => new[]
+            {
+                row.Title, row.Published, Band(row), row.Source, Number(row.Value), row.Verdict,
+            }).Prepend(["", "published", "band", "source", "here", "verdict"]));
+    }
+
+    private static string Count(IReadOnlyList<ValidationRow> rows) => $"{rows.Count(row => row.IsInside)} of {rows.Count}";
+
+    private static List<ValidationRow> Of(IEnumerable<ValidationRow> rows, ValidationTable table) =>
+        [.. rows.Where(row => row.Table == table)];
+
+    private static void Section(
+        StringBuilder page, IEnumerable<ValidationRow> rows, ValidationTable table, string title, string text)
+    {
+        List<ValidationRow> here = Of(rows, table);
+        if (here.Count > 0)
         {
-            bool refined = !double.IsNaN(row.Fine);
-            string[] cells = [row.Title, row.Measured, row.Source, Text($"{row.Ours:0.00}"), row.Verdict,
-                refined ? Text($"{row.Fine:0.00}") : "–", refined ? Text($"{100 * row.Change:0.0} %") : "–"];
-            yield return causes ? [.. cells, row.Cause] : cells;
+            page.Append($"\n## {title}\n\n{text} The tolerance is ours. {Count(here)} lie in it, and none is counted above.\n\n")
+                .Append(MarkdownTable.Write(Theory(here.OrderBy(row => row.IsInside))));
         }
     }
 
-    private static double? Finite(double value) => double.IsFinite(value) ? Math.Round(value, 6) : null;
+    private static void Fold(StringBuilder page, string title, string table) =>
+        page.Append($"\n<details>\n<summary>{title}</summary>\n\n{table}\n</details>\n");
+
+    private static IEnumerable<string[]> Table(IEnumerable<ValidationRow> rows) => rows
+        .Select(row => new[]
+        {
+            row.Title, row.Published, Band(row), row.Band, row.Source, Number(row.Ours), row.Verdict, Fine(row), Change(row),
+        })
+        .Prepend(["", "published", "band", "from", "source", "ours", "verdict", "finer", "change"]);
+
+    private static IEnumerable<string[]> Theory(IEnumerable<ValidationRow> rows) => rows
+        .Select(row => new[]
+        {
+            row.Title, row.Published, Band(row), row.Source, Number(row.Ours), Fine(row), row.Verdict,
+        })
+        .Prepend(["", "published", "tolerance", "source", "ours", "finer", "verdict"]);
+
+    private static IEnumerable<string[]> Reasons(IEnumerable<ValidationRow> rows) => rows
+        .Select(row => new[] { row.Title, row.Published, row.Source, Number(row.Ours), Fine(row), Change(row), row.Reason })
+        .Prepend(["", "published", "source", "ours", "finer", "change", "why it does not count"]);
+
+    private static IEnumerable<string[]> Experiments(IEnumerable<ValidationRow> rows) => rows
+        .SelectMany(row => row.Experiments.Select(one => new[]
+        {
+            row.Title, one.Changed, Number(row.Value), Number(one.Value), row.Contains(one.Value) ? "inside" : "outside",
+        }))
+        .Prepend(["", "changed", "before", "after", "then"]);
+
+    private static string Band(ValidationRow row) => !row.HasBand ? "–"
+        : double.IsInfinity(row.High) ? "above " + Number(row.Low)
+        : double.IsInfinity(row.Low) ? "below " + Number(row.High) : $"{Number(row.Low)} to {Number(row.High)}";
+
+    private static string Fine(ValidationRow row) => double.IsNaN(row.Fine) ? "–" : Number(row.Fine);
+
+    private static string Change(ValidationRow row) => double.IsNaN(row.Fine) ? "–" : Text($"{100 * row.Change:0.0} %");
+
+    private static string Number(double value) => Text($"{value:0.00}");
 
     private static string Text(FormattableString text) => text.ToString(CultureInfo.InvariantCulture).Replace('-', '−');
 }

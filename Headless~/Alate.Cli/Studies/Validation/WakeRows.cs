@@ -1,77 +1,173 @@
+using System.Numerics;
+using Alate.Wake;
+
 namespace Alate.Cli;
 
-/// <summary>Comparisons of wings in their own free wake with published flights of dragonflies.</summary>
+/// <summary>Comparisons of lattices that shed a wake with closed forms of thin wings, and with a measured wing that revolves.</summary>
 internal static class WakeRows
 {
-    /// <summary>Of the air, kg/m³.</summary>
-    private const double k_Density = 1.225;
+    private const double k_Height = 0.01, k_Pitch = Math.PI / 180, k_Share = 0.05, k_Degrees = 3, k_Measured = 0.12;
+    private const string k_Ours = "ours: theory has no spread", k_Spread = "ours: the fit that was published has no spread";
+    private const string k_Theodorsen = "Theodorsen 1935, NACA Rep. 496", k_Garrick = "Garrick 1936, NACA Rep. 567",
+        k_Wagner = "Wagner 1925, as R. T. Jones 1940, NACA Rep. 681, has it";
+    private const string k_Dickinson = "Dickinson, Lehmann and Sane 1999, Science 284:1954, a model of a fly's wing in oil";
 
-    private const double k_Bearing = 0.12, k_Band = 0.40, k_Correlation = 0.9;
-    private const int k_Places = 50, k_Steps = 24, k_Strips = 10;
-
-    private const string k_Name = "dragonfly in its own wake", k_Wings = "rigid wings, drag of a dragonfly's wing";
-    private const string k_Drag = "it hangs on its drag, at 74° against its way, whose momentum a lifting line does not shed",
-        k_Tip = "strips of a finite number end short of the tip, and the pitch angles are read from plots";
-
-    /// <summary>Weight support of the three flights, and the tethered insect's vertical force.</summary>
-    public static IEnumerable<ValidationRow> Dragonflies(Fineness fineness, Action done)
+    /// <summary>Plates that heave and pitch in two dimensions: lift and thrust.</summary>
+    public static IEnumerable<ValidationRow> Beating(Action done)
     {
-        for (int k = 0; k < MeasuredDragonfly.Flights.Count; k++)
+        foreach (double k in new[] { 0.1, 0.3, 0.5 })
         {
-            MeasuredDragonfly flight = MeasuredDragonfly.Flights[k];
-            double ours = Even(Shed(flight, fineness, 1)).Average(), fine = Even(Shed(flight, fineness, 2)).Average();
-            yield return new ValidationRow(
-                $"{k_Name}, flight {k + 1}, {k_Wings}: lift over weight", 1 - k_Bearing, 1 + k_Bearing, "1 ± 0.12: steady flight",
-                flight.Source, ours, fine, k_Tip);
-            done();
+            (Complex lift, double thrust) = Heave(k, 4, 24);
+            (Complex fineLift, double fineThrust) = Heave(k, 8, 64);
+            Complex theory = ThinWingTheory.Heaving(k, k_Height);
+            string heaves = FormattableString.Invariant($"plate that heaves, k = {k}");
+            foreach (ValidationRow row in Phasor(heaves, lift / theory, fineLift / theory))
+                yield return row;
+            double garrick = ThinWingTheory.Garrick(k, k_Height);
+            yield return Near(
+                heaves, "mean thrust over theory's", 1, k_Share, k_Garrick, thrust / garrick, fineThrust / garrick);
+            Complex pitching = ThinWingTheory.Pitching(k, k_Pitch);
+            foreach (ValidationRow row in Phasor(
+                FormattableString.Invariant($"plate pitched about a quarter of its chord, k = {k}"), Pitch(k, 4, 24) / pitching,
+                Pitch(k, 8, 64) / pitching))
+            {
+                yield return row;
+            }
         }
 
-        MeasuredDragonfly tethered = MeasuredDragonfly.Tethered;
-        IReadOnlyList<double> measured = MeasuredDragonfly.TetheredForce;
-        double[] lift = Even(Shed(tethered, fineness, 1)), finer = Even(Shed(tethered, fineness, 2));
-        string name = $"tethered {k_Name}, {k_Wings}";
-        yield return new ValidationRow(
-            $"{name}: correlation of the vertical force", k_Correlation, 1, "0.9 or more with the computed curve", tethered.Source,
-            DragonflyRows.Correlation(lift, measured), DragonflyRows.Correlation(finer, measured), k_Drag);
-        yield return DragonflyRows.Near(
-            "mean", name, measured.Average(), k_Band, tethered.Source, lift.Average(), finer.Average(), k_Drag);
-        yield return DragonflyRows.Near("peak", name, measured.Max(), k_Band, tethered.Source, lift.Max(), finer.Max(), k_Drag);
         done();
     }
 
-    /// <summary>Sheds the wake of a published flight at its published areas.</summary>
-    /// <param name="flight">The flight.</param>
-    /// <param name="substeps">Of a beat of the wings that fly.</param>
-    /// <param name="beats">Beats from rest.</param>
-    /// <param name="fineness">Factor on the wake's steps and strips.</param>
-    /// <param name="run">The flight without the wake.</param>
-    public static WakeFlight Of(MeasuredDragonfly flight, int substeps, int beats, int fineness, out DragonflyRun run)
+    /// <summary>A plate that starts suddenly in two dimensions.</summary>
+    public static IEnumerable<ValidationRow> Starting(Action done)
     {
-        run = DragonflyRun.Fly(flight, true, substeps, ownDrag: true);
-        IReadOnlyList<WingDefinition> kinds = InsectCatalogue.Find("dragonfly").Wings;
-        return new WakeFlight(run.Record, new WakePlan
+        foreach (double semichords in new[] { 1.0, 2, 4, 8, 16 })
         {
-            Chords = [.. kinds.Select((kind, k) => flight.Areas[k] / (kind.Outline.Area * flight.Lengths[k] * flight.Lengths[k]))],
-            Density = k_Density,
-            Beats = beats,
-            StepsPerBeat = fineness * k_Steps,
-            SpanPanels = fineness * k_Strips,
-        });
+            yield return Near("plate that starts suddenly at 5°",
+                FormattableString.Invariant($"lift coefficient after {semichords} semichords"), ThinWingTheory.Wagner(semichords), k_Share,
+                k_Wagner, ThinWing.Started(semichords, 8, 16), ThinWing.Started(semichords, 16, 32));
+        }
+
+        done();
     }
 
-    // [step] Lift over the weight. In hover the first beats still meet the start.
-    private static List<double> Shed(MeasuredDragonfly flight, Fineness fineness, int factor)
+    /// <summary>Steady plates: slope of the lift and induced drag, alone and near a ground.</summary>
+    public static IEnumerable<ValidationRow> Steady(Action done)
     {
-        int substeps = factor == 1 ? fineness.Substeps : fineness.Fine;
-        using WakeFlight wake = Of(flight, substeps, flight.Speed > 0 ? 3 : 5, factor, out _);
-        return wake.Run(_ => { }).ConvertAll(at => at.Force.y / flight.Weight);
+        const double k_Circle = Math.PI / 4, k_Ratio = 10, k_Glauert = 1.19;
+        const string k_Surface = "lifting-surface theory, the limit of ever finer lattices";
+        foreach ((float span, double slope) in new[] { (1f, 1.460), (2f, 2.474) })
+        {
+            yield return Near(
+                FormattableString.Invariant($"rectangle, aspect ratio {span}"), "slope of the lift", slope, k_Share, k_Surface,
+                ThinWing.Slope(ThinWing.Rectangle(span), span, 4, 10).Slope, ThinWing.Slope(ThinWing.Rectangle(span), span, 6, 14).Slope);
+        }
+
+        yield return Near("circle", "slope of the lift", 1.790, k_Share, k_Surface,
+            ThinWing.Slope(ThinWing.Ellipse(1f), k_Circle, 4, 10).Slope, ThinWing.Slope(ThinWing.Ellipse(1f), k_Circle, 6, 14).Slope);
+        float wide = (float)(k_Ratio * k_Circle);
+        (double slope, double factor) coarse = ThinWing.Slope(ThinWing.Ellipse(wide), k_Circle * wide, 3, 14),
+            ours = ThinWing.Slope(ThinWing.Ellipse(wide), k_Circle * wide, 4, 20);
+        yield return Near("ellipse, aspect ratio 10", "slope of the lift", ThinWingTheory.Helmbold(k_Ratio), k_Share,
+            "Helmbold 1942", coarse.slope, ours.slope);
+        yield return Near("ellipse, aspect ratio 10", "factor of the induced drag", 1, k_Share, "lifting line, Prandtl 1918", coarse.factor,
+            ours.factor);
+        yield return Near("rectangle of strips, aspect ratio 8", "slope of the lift", 2 * Math.PI / (1 + 2 * k_Glauert / 8), k_Share,
+            "lifting line, Glauert's series", Strips(12), Strips(20));
+        foreach (double height in new[] { 0.125, 0.25 })
+        {
+            // Height over the span; the mirror image lies twice as far off.
+            const float k_Span = 8f;
+            double Share(int along)
+            {
+                var plate = ThinWing.Rectangle(k_Span);
+                return ThinWing.Slope(plate, k_Span, 2, along).Factor
+                    / ThinWing.Slope(plate, k_Span, 2, along, (float)(height * k_Span)).Factor;
+            }
+
+            yield return Near("rectangle above a ground, aspect ratio 8",
+                FormattableString.Invariant($"induced drag over that in free air at {height} spans, lift alike"),
+                1 - (1 - 1.32 * height) / (1.05 + 7.4 * height), k_Share, "Wieselsberger 1922, NACA TM 77", Share(10), Share(16));
+        }
+
+        done();
     }
 
-    // Between the steps along straight lines.
-    private static double[] Even(List<double> beat) => [.. Enumerable.Range(0, k_Places).Select(n =>
+    /// <summary>The wing by which the coefficients were measured.</summary>
+    public static IEnumerable<ValidationRow> Revolving(Action done)
     {
-        double place = (double)n * beat.Count / k_Places;
-        int k = (int)place;
-        return math.lerp(beat[k], beat[(k + 1) % beat.Count], place - k);
-    })];
+        foreach (double degrees in new[] { 20.0, 40, 60 })
+        {
+            foreach ((string by, WakeMethod method) in new[]
+            {
+                ("strips, whose downwash is fitted to its lift up to 30°", WakeMethod.Strips),
+                ("panels, whose suction is fitted to it", WakeMethod.Panels),
+            })
+            {
+                (double lift, double drag) = Revolve(degrees, method, 24);
+                (double fineLift, double fineDrag) = Revolve(degrees, method, 48);
+                string record = FormattableString.Invariant($"wing that revolves at {degrees}°, {by}");
+                yield return Near(record, "lift coefficient", RevolvingWing.MeasuredLift(degrees), k_Measured, k_Dickinson, lift, fineLift);
+                yield return Near(record, "drag coefficient", RevolvingWing.MeasuredDrag(degrees), k_Measured, k_Dickinson, drag, fineDrag);
+            }
+        }
+
+        done();
+    }
+
+    private static (double Lift, double Drag) Revolve(double degrees, WakeMethod method, int steps) =>
+        RevolvingWing.Fly(degrees, new WakeSettings(method) { Keep = 4f, StepsPerBeat = steps });
+
+    private static (Complex Lift, double Thrust) Heave(double k, int panels, int steps)
+    {
+        const double k_Rate = 2 * Math.PI;
+        return ThinWing.Oscillate(
+            k, panels, steps, t => (k_Height * Math.Cos(k_Rate * t), -k_Height * k_Rate * Math.Sin(k_Rate * t), 0.0, 0.0));
+    }
+
+    private static Complex Pitch(double k, int panels, int steps)
+    {
+        const double k_Rate = 2 * Math.PI;
+        return ThinWing.Oscillate(
+            k, panels, steps, t => (0.0, 0.0, k_Pitch * Math.Cos(k_Rate * t), -k_Pitch * k_Rate * Math.Sin(k_Rate * t))).Lift;
+    }
+
+    private static double Strips(int along)
+    {
+        const double k_Angle = 0.05;
+        const float k_Span = 8f;
+        var settings = new WakeSettings
+        {
+            SpanPanels = along,
+            StepsPerBeat = 4,
+            Keep = 30f,
+            NearCore = 0.02f,
+            FarCore = 0.02f,
+            Stream = new float3(0f, 0f, -1f),
+        };
+        using var wake = new FreeWake(
+            settings, [new WakeWing(ThinWing.Steady(k_Span, k_Angle)) { Coefficients = null, Downwash = MeasuredDownwash.None }]);
+        for (int k = 0; k < 100; k++)
+            wake.Step();
+        return wake.Loads(0).Force.y / (0.5 * k_Span * k_Angle);
+    }
+
+    private static IEnumerable<ValidationRow> Phasor(string record, Complex ours, Complex fine)
+    {
+        yield return Near(record, "amplitude of the lift over theory's", 1, k_Share, k_Theodorsen, ours.Magnitude, fine.Magnitude);
+        yield return new ValidationRow(record, "phase of the lift ahead of theory's, °", -k_Degrees, k_Degrees, "theory: 0", k_Ours,
+            k_Theodorsen, 180 / Math.PI * ours.Phase, 180 / Math.PI * fine.Phase)
+        {
+            Table = ValidationTable.Wakes,
+        };
+    }
+
+    private static ValidationRow Near(
+        string record, string quantity, double value, double share, string source, double ours, double fine) =>
+        new(record, quantity, (1 - share) * value, (1 + share) * value,
+            FormattableString.Invariant($"{(source == k_Dickinson ? "measured" : "theory")}: {value:0.000}"),
+            source == k_Dickinson ? k_Spread : k_Ours, source, ours, fine)
+        {
+            Table = ValidationTable.Wakes,
+        };
 }
