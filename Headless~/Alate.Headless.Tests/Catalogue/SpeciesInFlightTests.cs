@@ -20,8 +20,15 @@ namespace Alate.Tests.Insects
 
         private static IEnumerable<string> Species => InsectCatalogue.Names;
 
+        [TestCaseSource(nameof(Species))]
+        public void NoWing_Tears(string name) => AssertWhole(name, InsectVariant.Standard);
+
         [TestCaseSource(nameof(All))]
-        public void NoWing_Tears(string name, InsectVariant variant)
+        [Explicit]
+        [Category("Long")]
+        public void NoWing_OfAnyVariant_Tears(string name, InsectVariant variant) => AssertWhole(name, variant);
+
+        private static void AssertWhole(string name, InsectVariant variant)
         {
             float bound = variant == InsectVariant.Expressive ? 0.08f : 0.06f;
             foreach (RecordedWing wing in FlownSpecies.Of(name, variant).Wings)
@@ -41,8 +48,15 @@ namespace Alate.Tests.Insects
         }
 
         // The root is one stiff line. It turns with feathering, so that the rear end of a broad one leaves the skin.
+        [TestCaseSource(nameof(Species))]
+        public void TheRoot_StaysAtTheBody(string name) => AssertRooted(name, InsectVariant.Standard);
+
         [TestCaseSource(nameof(All))]
-        public void TheRoot_StaysAtTheBody(string name, InsectVariant variant)
+        [Explicit]
+        [Category("Long")]
+        public void TheRoot_OfAnyVariant_StaysAtTheBody(string name, InsectVariant variant) => AssertRooted(name, variant);
+
+        private static void AssertRooted(string name, InsectVariant variant)
         {
             var flown = FlownSpecies.Of(name, variant);
             foreach (RecordedWing wing in flown.Wings)
@@ -59,8 +73,15 @@ namespace Alate.Tests.Insects
             }
         }
 
+        [TestCaseSource(nameof(Species))]
+        public void TheInnerThird_NeverPassesThroughItself(string name) => AssertApart(name, InsectVariant.Standard);
+
         [TestCaseSource(nameof(All))]
-        public void TheInnerThird_NeverPassesThroughItself(string name, InsectVariant variant)
+        [Explicit]
+        [Category("Long")]
+        public void TheInnerThird_OfAnyVariant_NeverPassesThroughItself(string name, InsectVariant variant) => AssertApart(name, variant);
+
+        private static void AssertApart(string name, InsectVariant variant)
         {
             foreach (RecordedWing wing in FlownSpecies.Of(name, variant).Wings)
             {

@@ -26,9 +26,9 @@ namespace Alate.Tests.Cli
             where wanted(species.Name, variant)
             select new TestCaseData(species.Name, variant);
 
-        // The soft variant of the wings that flutter longest, and each other insect as it is.
+        // The soft variant of the wings that flutter longest, and the monarch as it is.
         private static bool IsQuick(string species, InsectVariant variant) =>
-            variant == (species == "swallowtail" || species == "snailfish" ? InsectVariant.Expressive : InsectVariant.Standard);
+            (species, variant) is ("swallowtail", InsectVariant.Expressive) or ("monarch", InsectVariant.Standard);
 
         [TestCaseSource(nameof(Some))]
         public void AFlightOfOneBeat_HasTheBeatOfALongOne(string name, InsectVariant variant) => AssertSettled(name, variant);

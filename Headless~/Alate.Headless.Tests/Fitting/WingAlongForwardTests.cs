@@ -11,8 +11,8 @@ namespace Alate.Tests
         private const int k_Wings = 10, k_SweptWings = 4, k_ManyWings = 25;
 
         [TestCase(OutlineKind.Butterfly, -90f)]
-        [TestCase(OutlineKind.Slender, 90f)]
-        [TestCase(OutlineKind.Oval, -90f)]
+        [TestCase(OutlineKind.Slender, 90f, Explicit = true, Category = "Long")]
+        [TestCase(OutlineKind.Oval, -90f, Explicit = true, Category = "Long")]
         public void ItsLeadingEdge_IsFoundByItsShape_AndCalledAGuess(OutlineKind kind, float degrees) =>
             AssertGuessed(kind, degrees, k_Wings, areBothSides: false);
 

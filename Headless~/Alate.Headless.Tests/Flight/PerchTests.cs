@@ -19,7 +19,7 @@ namespace Alate.Tests.Flight
         [TestCase("firefly", 1)]
         [TestCase("fishfly", 1, Explicit = true, Category = "Long")]
         [TestCase("painted-lichen-moth", 1, Explicit = true, Category = "Long")]
-        [TestCase("dragonfly", 1)]
+        [TestCase("dragonfly", 1, Explicit = true, Category = "Long")]
         public void Insects_Land_AndLeave(string name, int count) => FlyAll(name, count);
 
         [TestCase("monarch", 1000)]

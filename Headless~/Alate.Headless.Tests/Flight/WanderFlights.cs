@@ -15,9 +15,9 @@ namespace Alate.Tests.FreeFlights
 
         private static readonly FlightVolume s_Volume = new FlightVolume(VolumeShape.Box, Vector3.zero, new Vector3(4f, 1.6f, 4f));
 
-        // Seeds that tumbled with this step while the wanderer asked for all the acceleration that the reference follows.
+        // A seed that tumbled with this step while the wanderer asked for all the acceleration that the reference follows.
         [Test]
-        public void AMonarch_Wanders() => Fly("monarch", 0.01f, [7, 14, 16]);
+        public void AMonarch_Wanders() => Fly("monarch", 0.01f, [14]);
 
         [Test, Explicit, Category("Long")]
         public void OfAHundredMonarchs_NoneTumbles([Values(0.01f, 1f / 60f, 0.02f)] float step) => Fly("monarch", step, Seeds(100));

@@ -10,7 +10,7 @@ namespace Alate.Editor.Tests
     {
         private static readonly DrawnWing[] s_Wings = { DrawnWing.Monarch(), DrawnWing.Scalloped(), DrawnWing.Fan() };
 
-        // One wing of each look and size.
+        // Two wings, each in a look of its own.
         private static IEnumerable<TestCaseData> Some => Cases(isQuick: true);
 
         private static IEnumerable<TestCaseData> Others => Cases(isQuick: false);
@@ -21,7 +21,7 @@ namespace Alate.Editor.Tests
             {
                 foreach (VeinLook look in Enum.GetValues(typeof(VeinLook)))
                 {
-                    if ((int)look % s_Wings.Length == k == isQuick)
+                    if (((int)look == k && k < 2) == isQuick)
                         yield return new TestCaseData(s_Wings[k], look, 400).SetName($"{{m}}({s_Wings[k].Name}, {look}, 400)");
                 }
 
@@ -131,7 +131,7 @@ namespace Alate.Editor.Tests
         [TestCase("scalloped", DrawnKind.Noisy, Explicit = true, Category = "Long")]
         [TestCase("monarch", DrawnKind.Hard, Explicit = true, Category = "Long")]
         [TestCase("monarch", DrawnKind.Transparent)]
-        [TestCase("scalloped", DrawnKind.Drawing)]
+        [TestCase("scalloped", DrawnKind.Drawing, Explicit = true, Category = "Long")]
         [TestCase("scalloped", DrawnKind.Silhouette, Explicit = true, Category = "Long")]
         [TestCase("monarch", DrawnKind.Noisy, Explicit = true, Category = "Long")]
         [TestCase("scalloped", DrawnKind.Hard, Explicit = true, Category = "Long")]

@@ -11,7 +11,7 @@ namespace Alate.Tests.Play
     {
         [UnityTest]
         public IEnumerator AFrame_AllocatesNothing_AndSchedulesTheSameJobs(
-            [Values(1, 100)] int insects, [Values] bool motion) => Check(insects, motion);
+            [Values(1, 20)] int insects, [Values] bool motion) => Check(insects, motion);
 
         [UnityTest]
         [Explicit]

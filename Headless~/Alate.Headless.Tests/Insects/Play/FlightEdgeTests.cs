@@ -31,7 +31,16 @@ namespace Alate.Tests.Play
 
         [UnityTest]
         public IEnumerator AFieldThatIsNone_IsRefused_AndToldOnce(
-            [ValueSource(nameof(s_Fields))] string field, [ValueSource(nameof(s_Nonsense))] float value)
+            [ValueSource(nameof(s_Fields))] string field, [Values(float.NaN, 1e38f)] float value) => Refuses(field, value);
+
+        [UnityTest]
+        [Explicit]
+        [Category("Long")]
+        public IEnumerator AnInfiniteField_IsRefused_AndToldOnce(
+            [ValueSource(nameof(s_Fields))] string field, [Values(float.PositiveInfinity, float.NegativeInfinity)] float value) =>
+            Refuses(field, value);
+
+        private IEnumerator Refuses(string field, float value)
         {
             InsectFlight flight = Hatch();
             InsectWings wings = flight.GetComponent<InsectWings>();

@@ -8,7 +8,7 @@ namespace Alate.Tests
     {
         [TestCase(1)]
         [TestCase(10)]
-        [TestCase(100)]
+        [TestCase(100, Explicit = true, Category = "Long")]
         public void SteppingAndSkinning_AllocatesNothing_HoweverManyInsects(int insects)
         {
             WingRig rig = Monarch.Rig();

@@ -13,7 +13,7 @@ namespace Alate.Tests
         private const double k_BackAfterAGale = 0.01;
 
         private static readonly (string, InsectVariant)[] s_Some =
-            [("monarch", InsectVariant.Standard), ("firefly", InsectVariant.Expressive), ("fishfly", InsectVariant.Expressive)];
+            [("monarch", InsectVariant.Standard), ("fishfly", InsectVariant.Expressive)];
 
         private static IEnumerable<TestCaseData> Some => Cases(IsQuick);
 
@@ -33,7 +33,7 @@ namespace Alate.Tests
         public void SteadyWindFromAnySide_TearsNoOtherWing(string species, int wing, InsectVariant variant) =>
             AssertHolds(species, wing, variant, isGusty: false);
 
-        [TestCase("fishfly", 1, InsectVariant.Standard)]
+        [TestCase("fishfly", 1, InsectVariant.Standard, Explicit = true, Category = "Long")]
         [TestCase("monarch", 0, InsectVariant.Expressive)]
         public void GustsFromAnySide_TearNoWing(string species, int wing, InsectVariant variant) =>
             AssertHolds(species, wing, variant, isGusty: true);

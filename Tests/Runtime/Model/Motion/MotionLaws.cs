@@ -7,7 +7,7 @@ namespace Alate.Tests
     /// <summary>Laws of motion over random wings.</summary>
     public sealed unsafe class MotionLaws
     {
-        private const int k_Wings = 12, k_ManyWings = 100;
+        private const int k_Wings = 6, k_ManyWings = 100;
 
         [Test]
         public void AnglesAndRates_AreContinuousFromCycleToCycle_HoweverTheBodyChanges()
