@@ -62,6 +62,9 @@ namespace Alate.Flight
         /// <summary>Share of the table's top speed that the air speed may reach.</summary>
         private const float k_Beyond = 1.1f;
 
+        /// <summary>Part of a rotation about the world's up, squared, above which it has a heading: one by half a turn has none.</summary>
+        private const float k_HasHeading = 0.01f;
+
         private float3 m_Velocity, m_Rate;
         private float m_Turning, m_Aim, m_Cruising, m_Climb;
 
@@ -131,7 +134,7 @@ namespace Alate.Flight
             wanted = math.all(math.isfinite(wanted)) ? wanted * math.min(1f, OuterBounds.Speed / math.max(largest, 1f)) : default;
             FlightLimits limits = table.Limits;
             m_Cruising = math.min(k_Cruising, k_CruisingShare * limits.TopSpeed);
-            Wind += (1f - Elementary.Exp(-dt / k_WindFilter)) * (wind - Wind);
+            Feel(wind, dt);
             if (isGuarded)
             {
                 wanted -= Wind;
@@ -163,6 +166,33 @@ namespace Alate.Flight
             reference.climb = air.y;
             return reference;
         }
+
+        /// <summary>
+        /// Moves on by a step with an insect that rights itself: fast ahead along its own heading, in the trims that are the steadiest, with
+        /// what it falls as far as they close. From there it flies on as it is told.
+        /// </summary>
+        /// <param name="body">The insect.</param>
+        /// <param name="table">Bounds of speed and climb.</param>
+        /// <param name="dt">Seconds.</param>
+        /// <returns>What the body's feedback follows within the step.</returns>
+        internal BodyReference Right(in FlyingBody body, TrimTable table, float dt)
+        {
+            FlightLimits limits = table.Limits;
+            Feel(body.wind, dt);
+            float4 q = body.rotation.value;
+            if (q.y * q.y + q.w * q.w > k_HasHeading)
+                Heading = 2f * Elementary.Atan2(q.y, q.w);
+            Elementary.SinCos(Heading, out float sin, out float cos);
+            table.Climbs(limits.TopSpeed, out float least, out float most);
+            float climb = math.clamp(body.velocity.y - Wind.y, least, most);
+            m_Velocity = Wind + new float3(limits.TopSpeed * sin, climb, limits.TopSpeed * cos);
+            m_Climb = m_Velocity.y;
+            m_Rate = default;
+            m_Turning = 0f;
+            return new BodyReference { velocity = m_Velocity, heading = Heading, airSpeed = limits.TopSpeed, climb = climb };
+        }
+
+        private void Feel(float3 wind, float dt) => Wind += (1f - Elementary.Exp(-dt / k_WindFilter)) * (wind - Wind);
 
         private float Climb(float wanted, in FlightLimits limits, float dt)
         {

@@ -61,7 +61,7 @@ namespace Alate.Flight
         internal float3 Gravity { get; set; }
 
         /// <summary>
-        /// True keeps commands within what the insect flies, and waits where it has not followed; false follows whatever is commanded, and
+        /// True keeps commands within what the insect flies, waits where it has not followed, and rights an insect that tumbles; false follows whatever is commanded, and
         /// an insect that is told to fly backwards, sideways or straight down tumbles.
         /// </summary>
         public bool GuardCommands { get; set; } = true;
@@ -152,7 +152,10 @@ namespace Alate.Flight
             body.weight = Gravity * m_Model.GravityShare;
             body.gravity = Gravity;
             body.aid = math.saturate(Aid);
-            body.reference = m_Reference.Step(command.velocity, command.heading, Wind, body.velocityError, m_Table, GuardCommands, dt);
+            body.recovers = GuardCommands ? 1 : 0;
+            body.reference = body.rights != 0
+                ? m_Reference.Right(body, m_Table, dt)
+                : m_Reference.Step(command.velocity, command.heading, Wind, body.velocityError, m_Table, GuardCommands, dt);
             for (int k = 0; k < count; k++)
                 m_World.Step(length);
             Time += dt;

@@ -19,6 +19,11 @@ namespace Alate
         /// <summary>Largest error of the heading that the aid sees, radians.</summary>
         private const float k_MostHeading = 0.8f;
 
+        /// <summary>
+        /// Turn out of the trim, radians, and rate, rad/s, less the bob, below which a body that tumbled has righted itself.
+        /// </summary>
+        private const float k_Righted = math.PI / 6f, k_RightedRate = 15f;
+
         /// <summary>Largest lean into a turn, radians: where little gravity pulls, lift turns no insect quicker.</summary>
         private const float k_MostLean = 1f;
 
@@ -29,9 +34,17 @@ namespace Alate
             Errors(ref body, point, bob);
             float speed = math.length(body.velocityError);
             float3 dv = body.velocityError * (speed > k_MostError ? k_MostError / speed : 1f);
+            Right(ref body);
+            if (body.rights != 0)
+            {
+                // Attitude first: the commands that a fall asks for clip, and turn a body that tumbles on and on.
+                dv = default;
+                body.integral = default;
+            }
+
             var lean = new float3(0f, 0f, -Lean(body));
             float3 e = body.turnError - lean, w = body.rateError, i = body.integral;
-            if (body.clipped == 0 && speed < k_MostError)
+            if (body.clipped == 0 && body.rights == 0 && speed < k_MostError)
                 body.integral = math.clamp(body.integral + dv * body.sinceSample, -k_MostIntegral, k_MostIntegral);
             body.sinceSample = 0f;
             float* states = stackalloc float[TrimPoint.LongStates];
@@ -56,6 +69,16 @@ namespace Alate
             body.clipped = 0;
             Command(ref body, point + TrimPoint.LongGains, states, 0, TrimPoint.LongCommands, TrimPoint.LongStates);
             Command(ref body, point + TrimPoint.SideGains, side, TrimPoint.LongCommands, TrimPoint.SideCommands, TrimPoint.SideStates);
+        }
+
+        private static void Right(ref FlyingBody body)
+        {
+            if (body.recovers == 0)
+                body.rights = 0;
+            else if (body.Tumbles)
+                body.rights = 1;
+            else if (body.tilt < k_Righted && math.length(body.rateError) < k_RightedRate)
+                body.rights = 0;
         }
 
         /// <summary>Drive of a wing by the point's trim and the last commands.</summary>

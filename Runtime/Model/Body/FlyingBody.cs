@@ -72,6 +72,12 @@ namespace Alate
         /// <summary>1 where the feedback makes commands; otherwise the trim holds.</summary>
         public int steered;
 
+        /// <summary>1 where a body that tumbles rights itself before it follows its reference again.</summary>
+        public int recovers;
+
+        /// <summary>1 while the body rights itself, from a tumble until it flies as a steady flight does.</summary>
+        public int rights;
+
         /// <summary>
         /// Above 0 while the body follows its reference, because its wings are not computed, or still settle: beats left and 1.
         /// </summary>
@@ -124,7 +130,7 @@ namespace Alate
                 last[k] = 0f;
             integral = velocityError = turnError = rateError = force = moment = default;
             tilt = aidPower = power = sinceSample = 0f;
-            latched = clipped = 0;
+            latched = clipped = rights = 0;
         }
 
         /// <summary>Height over the reach of the float: position to add, without losing what is small.</summary>

@@ -43,6 +43,31 @@ namespace Alate.Tests.Flight
             Assert.That(fastest, Is.GreaterThan(0.8f * m_Table.Limits.TurnRate(speed)));
         }
 
+        // Pitched or rolled by half a turn a body has the heading that it had; by half a turn about a level axis none, and keeps the last.
+        [TestCase(1f, 2.5f, 0f, 1f)]
+        [TestCase(-2f, 0f, 2.5f, -2f)]
+        [TestCase(1f, math.PI, 0f, 0.5f)]
+        public void AnInsectThatTumbles_IsLedFastAheadAlongItsHeading(float heading, float pitch, float roll, float led)
+        {
+            var wind = new float3(0.2f, 0.1f, 0f);
+            var reference = new FlightReference(new float3(0f, 0f, 0.1f), 0.5f, wind);
+            var body = new FlyingBody
+            {
+                rotation = math.mul(quaternion.RotateY(heading), math.mul(quaternion.RotateX(pitch), quaternion.RotateZ(roll))),
+                velocity = new float3(0f, -2f, 0f),
+                wind = wind,
+            };
+            BodyReference told = reference.Right(body, m_Table, k_Step);
+            Assert.That(reference.Heading, Is.EqualTo(led).Within(1e-4f));
+            Assert.That(told.heading, Is.EqualTo(led).Within(1e-4f));
+            Assert.That(told.airSpeed, Is.EqualTo(k_Top));
+            Assert.That(told.climb, Is.EqualTo(-0.3f));
+            var along = new float3(k_Top * math.sin(led), -0.3f, k_Top * math.cos(led));
+            Assert.That(math.distance(told.velocity, wind + along), Is.LessThan(1e-4f));
+            Assert.That(math.distance(reference.Velocity, told.velocity), Is.Zero);
+            Assert.That(math.length(told.acceleration) + math.abs(told.turning), Is.Zero);
+        }
+
         [Test]
         public void TurnRadius_IsSpeedOverTurnRate()
         {

@@ -54,6 +54,35 @@ namespace Alate.Tests
             Assert.That(body.integral.z, Is.EqualTo(first.z + 0.02f).Within(1e-6f), "and goes on when nothing is");
         }
 
+        // From 70° off on attitude alone is commanded, until the body is within 30° and turns by less than 15 rad/s.
+        [TestCase(69f, 0f, false)]
+        [TestCase(71f, 0f, true)]
+        [TestCase(31f, 0f, true)]
+        [TestCase(29f, 16f, true)]
+        [TestCase(29f, 14f, false)]
+        public void ABodyThatTumbled_HeedsNoVelocity_UntilItHasRightedItself(float tilt, float rate, bool rights)
+        {
+            float* point = stackalloc float[TrimPoint.Floats];
+            Clear(point);
+            point[TrimPoint.LongGains + 1] = 5f;
+            FlyingBody body = default;
+            body.recovers = 1;
+            body.rights = tilt < 69f ? 1 : 0;
+            body.rotation = quaternion.RotateZ(math.radians(tilt));
+            body.spin = new float3(0f, 0f, rate);
+            body.velocity = new float3(0f, 0f, 0.2f);
+            body.integral = 0.1f;
+            BodyFeedback.Sample(ref body, 0f, point);
+            Assert.That(body.rights, Is.EqualTo(rights ? 1 : 0));
+            Assert.That(body.Last(0), Is.EqualTo(rights ? 0f : -1f).Within(1e-6f));
+            Assert.That(math.all(body.integral == (rights ? 0f : 0.1f)));
+
+            body.recovers = 0;
+            BodyFeedback.Sample(ref body, 0f, point);
+            Assert.That(body.rights, Is.Zero, "unguarded it tumbles on");
+            Assert.That(body.Last(0), Is.EqualTo(-1f).Within(1e-6f));
+        }
+
         [Test]
         public void TheIntegral_Waits_WhileTheInsectIsThrownAbout([Values(0.49f, 0.51f)] float speed)
         {
