@@ -66,8 +66,8 @@ namespace Alate.Flight
         /// <summary>
         /// True keeps every command, whoever gives it, within what the insect flies: ahead, nose first, within its climbs, no faster than
         /// it follows. False follows whatever is commanded; an insect that is told to fly backwards, sideways or straight down, or whose
-        /// wanted velocity jumps, may tumble and fall for metres. An insect that tumbles rights itself, before it heeds commands again, only
-        /// while this is true.
+        /// wanted velocity jumps, may tumble and fall for metres. An insect that tumbles rights itself, before it heeds commands again,
+        /// only while this is true.
         /// </summary>
         public bool GuardCommands
         {

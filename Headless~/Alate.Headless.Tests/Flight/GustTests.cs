@@ -54,8 +54,8 @@ namespace Alate.Tests.FreeFlights
                 $"{species} {(wanders ? "wanders" : "hovers")}, {speed} m/s: {flights.Count} flights, {tumbled.Count} tumbled, longest "
                 + $"{flights.Max(flight => flight.Tumbled):0.00} s, {flights.Count(flight => flight.Tumbled > 0.5)} beyond 0.5 s; "
                 + $"{flights.Count(flight => flight.Recovers)} recovered, farthest {flights.Max(flight => flight.TumbleWay):0.0} m in a "
-                + $"tumble, {flights.Max(flight => flight.Lost):0.0} m off, {flights.Max(flight => flight.Sunk):0.0} m down; recovery of 90 % "
-                + $"within {flights.Select(flight => flight.Recovery).Order().ElementAt(flights.Count * 9 / 10):0.00} s");
+                + $"tumble, {flights.Max(flight => flight.Lost):0.0} m off, {flights.Max(flight => flight.Sunk):0.0} m down; "
+                + $"recovery of 90 % within {flights.Select(flight => flight.Recovery).Order().ElementAt(flights.Count * 9 / 10):0.00} s");
             return flights;
         }
 

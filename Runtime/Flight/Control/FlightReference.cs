@@ -168,8 +168,8 @@ namespace Alate.Flight
         }
 
         /// <summary>
-        /// Moves on by a step with an insect that rights itself: fast ahead along its own heading, in the trims that are the steadiest, with
-        /// what it falls as far as they close. From there it flies on as it is told.
+        /// Moves on by a step with an insect that rights itself: fast ahead along its own heading, in the trims that are the steadiest,
+        /// with what it falls as far as they close. From there it flies on as it is told.
         /// </summary>
         /// <param name="body">The insect.</param>
         /// <param name="table">Bounds of speed and climb.</param>

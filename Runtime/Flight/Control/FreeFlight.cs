@@ -61,8 +61,8 @@ namespace Alate.Flight
         internal float3 Gravity { get; set; }
 
         /// <summary>
-        /// True keeps commands within what the insect flies, waits where it has not followed, and rights an insect that tumbles; false follows whatever is commanded, and
-        /// an insect that is told to fly backwards, sideways or straight down tumbles.
+        /// True keeps commands within what the insect flies, waits where it has not followed, and rights an insect that tumbles; false
+        /// follows whatever is commanded, and an insect that is told to fly backwards, sideways or straight down tumbles.
         /// </summary>
         public bool GuardCommands { get; set; } = true;
 
