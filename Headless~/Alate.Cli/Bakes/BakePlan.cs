@@ -5,6 +5,9 @@ namespace Alate.Cli;
 /// <summary>Plan of a bake: the insect, how finely, and the files to write.</summary>
 internal sealed record BakePlan
 {
+    private BakePictures m_Pictures;
+    private WingFiles m_OwnWing;
+
     public InsectDefinition Species { get; init; }
     public InsectVariant Variant { get; init; }
     public IReadOnlyList<BakeMotion> Motions { get; init; } = [BakeMotion.Find("cruise")];
@@ -26,13 +29,18 @@ internal sealed record BakePlan
     /// <summary>Name of the bake for people.</summary>
     public string DisplayName => MeshFile == null ? Species.DisplayName : System.IO.Path.GetFileName(MeshFile);
 
+    /// <summary>Pictures on the parts of the bake.</summary>
+    public BakePictures Pictures => m_Pictures ??= MeshFile == null ? new BakePictures(Species) : new BakePictures(OwnWing);
+
+    private WingFiles OwnWing => m_OwnWing ??= WingFiles.Read(MeshFile, SkeletonFile, null);
+
     /// <summary>Bakes the insect.</summary>
     /// <exception cref="UserException">It cannot be baked so.</exception>
     /// <param name="smallerError">What the wings lose by the smaller mesh, wing lengths.</param>
     public InsectBake Bake(out float smallerError)
     {
         smallerError = 0f;
-        InsectWings insect = MeshFile == null ? Catalogued() : OwnInsect.Create(Species, Variant, MeshFile, SkeletonFile);
+        InsectWings insect = MeshFile == null ? Catalogued() : OwnInsect.Create(Species, Variant, MeshFile, OwnWing);
         try
         {
             InsectBake bake = InsectBaker.Bake(insect, Motions, new BakeSettings(Frames));

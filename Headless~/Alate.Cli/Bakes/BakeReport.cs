@@ -12,8 +12,8 @@ internal static class BakeReport
         InsectBake bake = plan.Bake(out float smallerError);
         string[] files = plan.Format switch
         {
-            BakeFormat.GltfSkin => [Write(folder, $"{bake.Name}-skin.glb", stream => SkinGlb.Write(bake, stream))],
-            BakeFormat.GltfMorph => [Write(folder, $"{bake.Name}-morph.glb", stream => MorphGlb.Write(bake, stream))],
+            BakeFormat.GltfSkin => [Write(folder, $"{bake.Name}-skin.glb", stream => SkinGlb.Write(bake, plan.Pictures, stream))],
+            BakeFormat.GltfMorph => [Write(folder, $"{bake.Name}-morph.glb", stream => MorphGlb.Write(bake, plan.Pictures, stream))],
             _ => WriteOpenVat(folder, plan, bake),
         };
         folder.Commit();
@@ -44,7 +44,7 @@ internal static class BakeReport
         if (plan.Normals == BakeNormals.Separate)
             files.Add(Write(folder, stem + "-vnrm.png", vat.Normals.Write));
         files.Add(Write(folder, stem + "-remap_info.json", vat.WriteJson));
-        files.Add(Write(folder, stem + ".glb", vat.WriteMesh));
+        files.Add(Write(folder, stem + ".glb", stream => vat.WriteMesh(plan.Pictures, stream)));
         return files.ToArray();
     }
 

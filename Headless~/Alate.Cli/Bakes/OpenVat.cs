@@ -45,7 +45,8 @@ internal sealed class OpenVat
     /// <summary>The same as <see cref="Positions"/> where the lower half holds the normals.</summary>
     public PngPicture Normals { get; }
 
-    public void WriteMesh(Stream stream) => ProxyGlb.Write(m_Bake, Layout, stream);
+    /// <summary>Writes the mesh at rest, with the pictures on it.</summary>
+    public void WriteMesh(BakePictures pictures, Stream stream) => ProxyGlb.Write(m_Bake, pictures, Layout, stream);
 
     public void WriteJson(Stream stream)
     {

@@ -1,4 +1,3 @@
-using Alate.Authoring;
 using Alate.Crowds;
 using UnityEngine;
 
@@ -9,20 +8,16 @@ namespace Alate.Cli;
 /// </summary>
 internal static class OwnInsect
 {
-    /// <summary>Reads the files and makes the insect; the caller destroys its object.</summary>
+    /// <summary>Makes the insect; the caller destroys its object.</summary>
     /// <param name="definition">The species.</param>
     /// <param name="variant">Which of its numbers.</param>
     /// <param name="meshFile">OBJ file of a wing at rest.</param>
-    /// <param name="skeletonFile">JSON file of its skeleton, in the mesh's space.</param>
+    /// <param name="files">What was read from it, with its skeleton.</param>
     /// <exception cref="UserException">The files are no wing.</exception>
-    public static InsectWings Create(InsectDefinition definition, InsectVariant variant, string meshFile, string skeletonFile)
+    public static InsectWings Create(InsectDefinition definition, InsectVariant variant, string meshFile, WingFiles files)
     {
-        ObjMesh read = TextFile.Read(meshFile, ObjReader.Read, InputFile.Mesh);
-        WingSkeleton skeleton = TextFile.Read(skeletonFile, reader => SkeletonJson.Read(reader.ReadToEnd(), read.Origin));
-        List<SkeletonProblem> problems = skeleton.Validate();
-        if (problems.Count > 0)
-            throw new UserException($"{skeletonFile}: {problems[0].Message}");
-        SurfaceMesh surface = read.ToSurface(meshFile);
+        WingSkeleton skeleton = files.Skeleton;
+        SurfaceMesh surface = files.Mesh.ToSurface(meshFile);
         if (2 * surface.positions.Length > InsectBaker.MaxVertices)
         {
             throw new UserException($"{meshFile}: with its mirror image the wing has "
@@ -45,7 +40,8 @@ internal static class OwnInsect
             var half = new GameObject("half");
             half.transform.SetParent(root.transform, false);
             half.transform.localScale = new Vector3(mirror, 1f, 1f);
-            var wing = new GameObject(side * mirror > 0f ? "wing right" : "wing left", typeof(MeshFilter), typeof(MeshRenderer));
+            string name = $"{BakePictures.OwnWing} {(side * mirror > 0f ? "right" : "left")}";
+            var wing = new GameObject(name, typeof(MeshFilter), typeof(MeshRenderer));
             wing.transform.SetParent(half.transform, false);
             quaternion turn = math.conjugate(new quaternion(new float3x3(side * frame.axes.c0, frame.axes.c1, frame.axes.c2)));
             float3 hinge = (float3)kind.Hinge * new float3(side, 1f, 1f) * (frame.length / preset.WingLength);

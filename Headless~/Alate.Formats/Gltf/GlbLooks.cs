@@ -23,11 +23,13 @@ internal sealed class GlbLooks(GlbBuffer buffer)
     {
         if (!m_Plain.TryGetValue((isPainted, isGlass), out int material))
         {
-            m_Plain.Add((isPainted, isGlass),
-                material = Add(GltfMaterial.Of(isPainted, isGlass, isGlass ? "glass" : isPainted ? "painted" : "membrane")));
+            m_Plain.Add((isPainted, isGlass), material = Plain(isPainted, isGlass, isGlass ? "glass" : isPainted ? "painted" : "membrane"));
         }
         return material;
     }
+
+    /// <summary>A material of its own that shows vertex colours, or one pale colour.</summary>
+    public int Plain(bool isPainted, bool isGlass, string name) => Add(GltfMaterial.Of(isPainted, isGlass, name));
 
     /// <summary>A material that shows a picture, and lets light pass in viewers that know how.</summary>
     /// <param name="png">The picture's file; a material for each array.</param>

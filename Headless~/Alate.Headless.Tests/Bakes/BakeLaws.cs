@@ -18,12 +18,13 @@ namespace Alate.Tests.Bakes;
 /// <summary>Content of baked files beside their shapes: looks, coordinates, joints and times, each beside the bake.</summary>
 public sealed class BakeLaws
 {
+    private readonly InsectDefinition m_Insect = InsectCatalogue.Find("fishfly");
     private InsectBake m_Bake;
 
     [OneTimeSetUp]
     public void Bake() => m_Bake = new BakePlan
     {
-        Species = InsectCatalogue.Find("fishfly"),
+        Species = m_Insect,
         Motions = [BakeMotion.Find("cruise"), BakeMotion.Find("rest")],
         Frames = 6,
     }.Bake(out _);
@@ -51,6 +52,18 @@ public sealed class BakeLaws
                 Is.EqualTo(part.Triangles.Chunk(3).Select(corners => Turned([corners[0], corners[2], corners[1]]))));
             double[] uvs = file.Read(attributes.GetProperty("TEXCOORD_0").GetInt32());
             Assert.That(uvs, Is.EqualTo(m_Bake.Surface.Uvs.SelectMany(uv => new double[] { uv.x, 1f - uv.y })).Within(1e-6));
+            WingDefinition wing =
+                m_Insect.Wings.FirstOrDefault(kind => part.Name.StartsWith(kind.Name, StringComparison.OrdinalIgnoreCase));
+            bool isPainted = look.GetProperty("pbrMetallicRoughness").TryGetProperty("baseColorTexture", out JsonElement texture);
+            Assert.That(isPainted, Is.EqualTo(wing != null), "a wing has its painting");
+            if (isPainted)
+            {
+                Assert.That(attributes.TryGetProperty("COLOR_0", out _), Is.False, "colours of vertices would darken it");
+                int source = file.Root.GetProperty("textures")[texture.GetProperty("index").GetInt32()].GetProperty("source").GetInt32();
+                Assert.That(file.Image(source).SequenceEqual(WingPainting.Of(wing).Png));
+                continue;
+            }
+
             double[] colours = file.Read(attributes.GetProperty("COLOR_0").GetInt32());
             for (int vertex = 0; vertex < m_Bake.Surface.VertexCount; vertex += 7)
             {
@@ -154,6 +167,29 @@ public sealed class BakeLaws
         }
     }
 
+    [TestCase("wing right")]
+    [TestCase("Wing Left")]
+    public void AWingOfTheUsersOwn_HasItsPicture_OnBothSides(string name)
+    {
+        byte[] png = WingPainting.Of(m_Insect.Wings[0]).Png;
+        var part = new BakedPart(name, null, true, []);
+        Assert.That(new BakePictures(new WingFiles(null, null, png)).Of(part).Png, Is.SameAs(png));
+        Assert.That(new BakePictures(new WingFiles(null, null, null)).Of(part), Is.Null);
+        Assert.That(new BakePictures(m_Insect).Of(part), Is.Null, "a fishfly has fore and hind wings");
+    }
+
+    [Test]
+    public void AnInsectAtRestAlone_IsAMesh_ThatNothingMoves()
+    {
+        InsectBake bake = new BakePlan { Species = m_Insect, Motions = [BakeMotion.Find("rest")] }.Bake(out _);
+        using var stream = new MemoryStream();
+        MorphGlb.Write(bake, new BakePictures(m_Insect), stream);
+        JsonElement root = new GlbFile(stream.ToArray()).Root;
+        Assert.That(root.TryGetProperty("animations", out _), Is.False);
+        Assert.That(root.GetProperty("meshes")[0].TryGetProperty("weights", out _), Is.False);
+        Assert.That(root.GetProperty("meshes")[0].GetProperty("primitives")[0].TryGetProperty("targets", out _), Is.False);
+    }
+
     [Test]
     public void TheReport_TellsTheInsect_ItsClips_AndHowFarASmallerMeshIs()
     {
@@ -205,9 +241,9 @@ public sealed class BakeLaws
     {
         using var stream = new MemoryStream();
         if (form == "skin")
-            SkinGlb.Write(m_Bake, stream);
+            SkinGlb.Write(m_Bake, new BakePictures(m_Insect), stream);
         else
-            MorphGlb.Write(m_Bake, stream);
+            MorphGlb.Write(m_Bake, new BakePictures(m_Insect), stream);
         return new GlbFile(stream.ToArray());
     }
 }

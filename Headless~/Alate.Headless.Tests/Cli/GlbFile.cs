@@ -36,6 +36,13 @@ namespace Alate.Tests.Cli
 
         public int AccessorCount => Root.GetProperty("accessors").GetArrayLength();
 
+        /// <summary>The bytes of an image.</summary>
+        public ReadOnlySpan<byte> Image(int index)
+        {
+            JsonElement view = Root.GetProperty("bufferViews")[Root.GetProperty("images")[index].GetProperty("bufferView").GetInt32()];
+            return m_Binary.AsSpan(Number(view, "byteOffset"), view.GetProperty("byteLength").GetInt32());
+        }
+
         public JsonElement Accessor(int index) => Root.GetProperty("accessors")[index];
 
         /// <summary>The numbers of an accessor, element by element; normalised integers as 0 to 1.</summary>

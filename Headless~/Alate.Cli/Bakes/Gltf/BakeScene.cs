@@ -7,11 +7,24 @@ namespace Alate.Cli;
 /// The parts of a glTF file of a baked insect that all forms have: vertices, primitives by material, the file around them. Metres, Y up,
 /// facing +Z.
 /// </summary>
-internal sealed class BakeScene(InsectBake bake)
+internal sealed class BakeScene
 {
+    private const string k_Colours = "COLOR_0";
+
+    private readonly InsectBake m_Bake;
+    private readonly BakePictures m_Pictures;
     private readonly GlbScene m_File = new();
-    private readonly JsonArray m_Materials = [];
+    private readonly GlbLooks m_Looks;
     private readonly Dictionary<BakedPart, int> m_MaterialOf = [];
+
+    /// <param name="bake">The insect.</param>
+    /// <param name="pictures">Pictures on its parts.</param>
+    public BakeScene(InsectBake bake, BakePictures pictures)
+    {
+        m_Bake = bake;
+        m_Pictures = pictures;
+        m_Looks = new GlbLooks(m_File.Buffer);
+    }
 
     public GlbBuffer Buffer => m_File.Buffer;
 
@@ -21,11 +34,11 @@ internal sealed class BakeScene(InsectBake bake)
 
     /// <summary>Positions of a frame.</summary>
     public float3[] Positions(IEnumerable<float3> insect) =>
-        insect.Select(position => FileAxes.ToGltf(position) * bake.MetresPerUnit).ToArray();
+        insect.Select(position => FileAxes.ToGltf(position) * m_Bake.MetresPerUnit).ToArray();
 
     /// <summary>Attributes of the vertices at rest.</summary>
     public JsonObject RestAttributes() => Attributes(
-        Positions(bake.Surface.Positions.Select(position => (float3)position)), Array.ConvertAll(bake.Surface.Normals, FileAxes.Unit));
+        Positions(m_Bake.Surface.Positions.Select(position => (float3)position)), Array.ConvertAll(m_Bake.Surface.Normals, FileAxes.Unit));
 
     /// <summary>Attributes of the vertices: what never changes beside positions and normals.</summary>
     public JsonObject Attributes(float3[] positions, float3[] normals)
@@ -34,10 +47,10 @@ internal sealed class BakeScene(InsectBake bake)
         {
             ["POSITION"] = Buffer.AddVectors(positions),
             ["NORMAL"] = Buffer.AddVectors(normals),
-            ["TEXCOORD_0"] = Buffer.AddPairs(Array.ConvertAll(bake.Surface.Uvs, uv => new float2(uv.x, 1f - uv.y))),
+            ["TEXCOORD_0"] = Buffer.AddPairs(Array.ConvertAll(m_Bake.Surface.Uvs, uv => new float2(uv.x, 1f - uv.y))),
         };
-        if (bake.Surface.Parts.Any(part => part.HasColours))
-            attributes["COLOR_0"] = Buffer.AddColours(bake.Surface.Colours);
+        if (m_Bake.Surface.Parts.Any(part => part.HasColours))
+            attributes[k_Colours] = Buffer.AddColours(m_Bake.Surface.Colours);
         return attributes;
     }
 
@@ -47,20 +60,23 @@ internal sealed class BakeScene(InsectBake bake)
     public JsonObject Mesh(JsonObject attributes, JsonArray targets = null)
     {
         var primitives = new JsonArray();
-        foreach (BakedPart part in bake.Surface.Parts)
+        foreach (BakedPart part in m_Bake.Surface.Parts)
         {
+            JsonNode own = attributes.DeepClone();
+            if (m_Pictures.Of(part) != null)
+                own.AsObject().Remove(k_Colours);
             JsonObject primitive = m_File.Primitive(
-                attributes.DeepClone(), SurfaceMesh.Turned(part.Triangles), bake.Surface.VertexCount, MaterialOf(part));
+                own, SurfaceMesh.Turned(part.Triangles), m_Bake.Surface.VertexCount, MaterialOf(part));
             if (targets != null)
                 primitive["targets"] = targets.DeepClone();
             primitives.Add(primitive);
         }
 
-        return new JsonObject { ["name"] = bake.Name, ["primitives"] = primitives };
+        return new JsonObject { ["name"] = m_Bake.Name, ["primitives"] = primitives };
     }
 
     /// <summary>Adds a node with a mesh.</summary>
-    public int AddMeshNode(JsonObject mesh) => m_File.AddNode(bake.Name, mesh);
+    public int AddMeshNode(JsonObject mesh) => m_File.AddNode(m_Bake.Name, mesh);
 
     /// <summary>Times of the frames of a clip, and of its first again, seconds.</summary>
     public int Times(BakedClip clip, int count) =>
@@ -72,14 +88,14 @@ internal sealed class BakeScene(InsectBake bake)
     /// <param name="stream">Where to.</param>
     public void Write(IEnumerable<int> roots, JsonArray skins, Stream stream)
     {
-        JsonObject gltf = m_File.Begin(bake.Name, roots);
-        gltf["materials"] = m_Materials;
+        JsonObject gltf = m_File.Begin(m_Bake.Name, roots);
         m_File.AddAccessors(gltf);
         if (skins != null)
             gltf["skins"] = skins;
         if (Animations.Count > 0)
             gltf["animations"] = Animations;
         byte[] binary = m_File.AddBuffer(gltf);
+        m_Looks.WriteTo(gltf);
         GlbWriter.Write(gltf, binary, stream);
     }
 
@@ -87,9 +103,12 @@ internal sealed class BakeScene(InsectBake bake)
     {
         if (m_MaterialOf.TryGetValue(part, out int material))
             return material;
-        bool isGlass = part.HasColours && part.Triangles.Any(vertex => bake.Surface.Colours[vertex].a < byte.MaxValue);
-        m_Materials.Add(GltfMaterial.Of(part.HasColours, isGlass, part.Name));
-        m_MaterialOf.Add(part, m_Materials.Count - 1);
-        return m_Materials.Count - 1;
+        bool isGlass = part.HasColours && part.Triangles.Any(vertex => m_Bake.Surface.Colours[vertex].a < byte.MaxValue);
+        WingTexture picture = m_Pictures.Of(part);
+        material = picture == null
+            ? m_Looks.Plain(part.HasColours, isGlass, part.Name)
+            : m_Looks.Of(picture.Png, picture.IsGlass, part.Name);
+        m_MaterialOf.Add(part, material);
+        return material;
     }
 }

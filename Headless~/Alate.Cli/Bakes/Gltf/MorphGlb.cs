@@ -13,23 +13,27 @@ internal sealed class MorphGlb
     private readonly JsonArray m_Targets = [];
     private readonly float3[] m_Rest, m_RestNormals;
 
-    private MorphGlb(InsectBake bake)
+    private MorphGlb(InsectBake bake, BakePictures pictures)
     {
-        m_Scene = new BakeScene(bake);
+        m_Scene = new BakeScene(bake, pictures);
         m_Rest = m_Scene.Positions(bake.Clips[0].Frames[0].Positions);
         m_RestNormals = Normals(bake.Clips[0].Frames[0]);
     }
 
-    public static void Write(InsectBake bake, Stream stream) => new MorphGlb(bake).WriteFile(bake, stream);
+    public static void Write(InsectBake bake, BakePictures pictures, Stream stream) =>
+        new MorphGlb(bake, pictures).WriteFile(bake, stream);
 
     private void WriteFile(InsectBake bake, Stream stream)
     {
         JsonObject attributes = m_Scene.Attributes(m_Rest, m_RestNormals);
         int[] firsts = bake.Clips.Select(AddTargets).ToArray();
-        JsonObject mesh = m_Scene.Mesh(attributes, m_Targets);
-        mesh["weights"] = GlbScene.NoWeights(m_Targets.Count);
+        // An insect at rest alone has one frame: a mesh without shapes, that nothing moves.
+        bool moves = m_Targets.Count > 0;
+        JsonObject mesh = m_Scene.Mesh(attributes, moves ? m_Targets : null);
+        if (moves)
+            mesh["weights"] = GlbScene.NoWeights(m_Targets.Count);
         int node = m_Scene.AddMeshNode(mesh);
-        for (int clip = 0; clip < firsts.Length; clip++)
+        for (int clip = 0; moves && clip < firsts.Length; clip++)
             m_Scene.Animations.Add(Animation(bake.Clips[clip], firsts[clip], node));
         m_Scene.Write([node], null, stream);
     }

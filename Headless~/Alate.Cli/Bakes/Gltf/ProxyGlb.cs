@@ -6,9 +6,9 @@ namespace Alate.Cli;
 /// <summary>The mesh of an insect at rest, whose second texture coordinates find each vertex in a texture.</summary>
 internal static class ProxyGlb
 {
-    public static void Write(InsectBake bake, BakeLayout layout, Stream stream)
+    public static void Write(InsectBake bake, BakePictures pictures, BakeLayout layout, Stream stream)
     {
-        var scene = new BakeScene(bake);
+        var scene = new BakeScene(bake, pictures);
         JsonObject attributes = scene.RestAttributes();
 
         // glTF's coordinates have their origin at the top.

@@ -14,15 +14,15 @@ internal sealed class SkinGlb
     private readonly int[] m_NodeOf, m_ParentOf;
     private int m_Root;
 
-    private SkinGlb(InsectBake bake)
+    private SkinGlb(InsectBake bake, BakePictures pictures)
     {
         m_Bake = bake;
-        m_Scene = new BakeScene(bake);
+        m_Scene = new BakeScene(bake, pictures);
         m_NodeOf = new int[bake.JointCount];
         m_ParentOf = new int[bake.JointCount];
     }
 
-    public static void Write(InsectBake bake, Stream stream) => new SkinGlb(bake).WriteFile(stream);
+    public static void Write(InsectBake bake, BakePictures pictures, Stream stream) => new SkinGlb(bake, pictures).WriteFile(stream);
 
     private void WriteFile(Stream stream)
     {
