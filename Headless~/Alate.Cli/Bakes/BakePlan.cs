@@ -14,6 +14,9 @@ internal sealed record BakePlan
     public BakeFormat Format { get; init; }
     public int Frames { get; init; } = BakeSettings.DefaultFrames;
 
+    /// <summary>Loops a second of whatever moves; null for the insect's own.</summary>
+    public double? BeatsPerSecond { get; init; }
+
     /// <summary>Most triangles; null keeps all.</summary>
     public int? Triangles { get; init; }
     public BakeNormals Normals { get; init; }
@@ -28,6 +31,23 @@ internal sealed record BakePlan
 
     /// <summary>Name of the bake for people.</summary>
     public string DisplayName => MeshFile == null ? Species.DisplayName : System.IO.Path.GetFileName(MeshFile);
+
+    /// <summary>Frames of a loop that ends on a whole frame.</summary>
+    /// <param name="fps">Frames a second.</param>
+    /// <param name="beatsPerSecond">Loops a second.</param>
+    /// <exception cref="UserException">They make no whole number of frames, or too few or too many.</exception>
+    public static int FramesOf(double fps, double beatsPerSecond)
+    {
+        double frames = fps / beatsPerSecond;
+        int whole = (int)Math.Round(Math.Clamp(frames, BakeSettings.MinFrames, BakeSettings.MaxFrames));
+        return Math.Abs(frames - whole) < 1e-6
+            ? whole
+            : throw new UserException(
+                $"{Word(fps)} frames a second at {Word(beatsPerSecond)} beats make {Word(frames)} frames a beat; a loop has whole ones, "
+                + $"{BakeSettings.MinFrames} to {BakeSettings.MaxFrames}: {whole} at --beats-per-second {Word(fps / whole)}.");
+    }
+
+    private static string Word(double value) => value.ToString("0.####", CultureInfo.InvariantCulture);
 
     /// <summary>Pictures on the parts of the bake.</summary>
     public BakePictures Pictures => m_Pictures ??= MeshFile == null ? new BakePictures(Species) : new BakePictures(OwnWing);
@@ -44,6 +64,8 @@ internal sealed record BakePlan
         try
         {
             InsectBake bake = InsectBaker.Bake(insect, Motions, new BakeSettings(Frames));
+            foreach (BakedClip clip in bake.Clips.Where(clip => clip.Frames.Count > 1))
+                clip.Frequency = (float)(BeatsPerSecond ?? clip.Frequency);
             return Triangles is int triangles && triangles < bake.Surface.TriangleCount
                 ? SmallerBake.Of(bake, triangles, out smallerError)
                 : bake;

@@ -7,6 +7,7 @@ namespace Alate.Cli;
 internal static class BakeCommand
 {
     private const int k_MostTriangles = 1000000;
+    private const double k_LeastBeats = 0.01, k_MostBeats = 1000, k_MostFps = 1000;
 
     public static Command Create(TextWriter output)
     {
@@ -42,6 +43,11 @@ internal static class BakeCommand
         Option<int?> frames = Numbers.OptionalCount(
             "--frames", "N", BakeSettings.MinFrames, BakeSettings.MaxFrames,
             $"Frames of a loop, {BakeSettings.MinFrames} to {BakeSettings.MaxFrames}. [default: {BakeSettings.DefaultFrames}]");
+        Option<double?> beats = Numbers.Optional(
+            "--beats-per-second", "N", k_LeastBeats, k_MostBeats,
+            "Slows or hastens what is written: loops a second. [default: the insect's own]");
+        Option<double?> fps = Numbers.Optional(
+            "--fps", "N", 1, k_MostFps, "With --beats-per-second: frames a second, in place of --frames; a loop ends on a whole one.");
         Option<int?> triangles = Numbers.OptionalCount(
             "--triangles", "N", SmallerBake.MinTriangles, k_MostTriangles,
             $"Most triangles of the mesh, {SmallerBake.MinTriangles} to {k_MostTriangles}. [default: all]");
@@ -59,7 +65,7 @@ internal static class BakeCommand
         var folder = new Option<string>("--out") { HelpName = "DIR", Description = "Where the files go. [default: out/bake-SPECIES]" };
         var command = new Command("bake", "Bakes loops of an insect for other programs: OpenVAT textures, or glTF with joints or shapes.")
         {
-            species, clips, format, frames, triangles, normals, size, variant, mesh, skeleton, preset, folder,
+            species, clips, format, frames, beats, fps, triangles, normals, size, variant, mesh, skeleton, preset, folder,
         };
         HelpExamples.Set(command, k_Examples);
         command.SetAction(parsed =>
@@ -76,7 +82,8 @@ internal static class BakeCommand
                     Variant = chosen,
                     Motions = Motions(parsed.GetValue(clips)),
                     Format = parsed.GetValue(format) ?? BakeFormat.OpenVat,
-                    Frames = parsed.GetValue(frames) ?? BakeSettings.DefaultFrames,
+                    Frames = Frames(parsed.GetValue(frames), parsed.GetValue(fps), parsed.GetValue(beats)),
+                    BeatsPerSecond = parsed.GetValue(beats),
                     Triangles = parsed.GetValue(triangles),
                     Normals = parsed.GetValue(normals) ?? BakeNormals.Separate,
                     MaxSize = parsed.GetValue(size) ?? BakeLayout.DefaultMaxSize,
@@ -103,6 +110,17 @@ internal static class BakeCommand
             ?? throw new UserException(mesh == null ? $"Which species? Known: {known}." : $"--mesh needs --species. Known: {known}.");
     }
 
+    private static int Frames(int? frames, double? fps, double? beats)
+    {
+        if (fps == null)
+            return frames ?? BakeSettings.DefaultFrames;
+        if (frames != null)
+            throw new UserException("--fps says how many frames a loop has: leave --frames away.");
+        return beats == null
+            ? throw new UserException("--fps goes with --beats-per-second, so that a loop ends on a whole frame.")
+            : BakePlan.FramesOf(fps.Value, beats.Value);
+    }
+
     private static List<BakeMotion> Motions(string names)
     {
         try
@@ -121,6 +139,7 @@ internal static class BakeCommand
         + "  bake monarch --clips cruise,hover,rest\n"
         + "  bake firefly --format gltf-skin --out blender\n"
         + "  bake swallowtail --clips cruise --format gltf-morph --frames 24\n"
+        + "  bake monarch --format gltf-skin --fps 24 --beats-per-second 2\n"
         + "  bake monarch --variant flight --clips hover,climb,turn-left\n"
         + "  bake --mesh wing.obj --skeleton wing.json --species firefly\n\n"
         + "Writes into the output folder:\n"

@@ -17,6 +17,14 @@ namespace Alate.Tests.Bakes
         [TestCase("dodo", "Unknown species 'dodo'.")]
         [TestCase("monarch --variant biological", "There is no biological monarch.")]
         [TestCase("monarch --frames 3", "--frames must lie between 4 and 240; it is 3.")]
+        [TestCase("monarch --fps 24", "--fps goes with --beats-per-second, so that a loop ends on a whole frame.")]
+        [TestCase("monarch --fps 24 --beats-per-second 2 --frames 12", "--fps says how many frames a loop has: leave --frames away.")]
+        [TestCase(
+            "monarch --fps 24 --beats-per-second 5",
+            "24 frames a second at 5 beats make 4.8 frames a beat; a loop has whole ones, 4 to 240: 5 at --beats-per-second 4.8.")]
+        [TestCase(
+            "monarch --fps 24 --beats-per-second 10",
+            "24 frames a second at 10 beats make 2.4 frames a beat; a loop has whole ones, 4 to 240: 4 at --beats-per-second 6.")]
         [TestCase(
             "monarch --frames 8 --max-size 128",
             "5624 vertices at 9 frames need a texture of 128 x 396 pixels; at most 128 x 128 are allowed: bake fewer frames or clips at "

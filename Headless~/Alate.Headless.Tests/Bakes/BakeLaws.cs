@@ -167,6 +167,31 @@ public sealed class BakeLaws
         }
     }
 
+    // 24 frames a second, two beats: keys at whole frames of 1/24 s, and the last one after half a second.
+    [Test]
+    public void ASlowBeat_ClosesOnAWholeFrame()
+    {
+        var plan = new BakePlan
+        {
+            Species = m_Insect,
+            Motions = [BakeMotion.Find("cruise"), BakeMotion.Find("rest")],
+            Frames = BakePlan.FramesOf(24, 2),
+            BeatsPerSecond = 2
+        };
+        InsectBake bake = plan.Bake(out _);
+        using var stream = new MemoryStream();
+        SkinGlb.Write(bake, plan.Pictures, stream);
+        var file = new GlbFile(stream.ToArray());
+        JsonElement sampler = file.Root.GetProperty("animations")[0].GetProperty("samplers")[0];
+
+        Assert.That(file.Read(sampler.GetProperty("input").GetInt32()),
+            Is.EqualTo(Enumerable.Range(0, 13).Select(k => k / 24.0)).Within(1e-6));
+        Assert.That(bake.Clips.Select(clip => (clip.Frames.Count, clip.Frequency)), Is.EqualTo(new[]
+        {
+            (12, 2f), (1, m_Bake.Clips[1].Frequency)
+        }));
+    }
+
     [TestCase("wing right")]
     [TestCase("Wing Left")]
     public void AWingOfTheUsersOwn_HasItsPicture_OnBothSides(string name)
