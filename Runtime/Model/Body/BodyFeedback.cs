@@ -69,6 +69,15 @@ namespace Alate
             body.clipped = 0;
             Command(ref body, point + TrimPoint.LongGains, states, 0, TrimPoint.LongCommands, TrimPoint.LongStates);
             Command(ref body, point + TrimPoint.SideGains, side, TrimPoint.LongCommands, TrimPoint.SideCommands, TrimPoint.SideStates);
+            if (body.rights != 0)
+                BeatHard(ref body);
+        }
+
+        // As fast and as far as the wings may: more air on them turns the body sooner.
+        private static void BeatHard(ref FlyingBody body)
+        {
+            for (int command = 0; command < 2; command++)
+                body.last[command] = FlightCommands.Limit(command);
         }
 
         private static void Right(ref FlyingBody body)

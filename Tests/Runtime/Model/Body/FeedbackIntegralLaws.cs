@@ -54,7 +54,8 @@ namespace Alate.Tests
             Assert.That(body.integral.z, Is.EqualTo(first.z + 0.02f).Within(1e-6f), "and goes on when nothing is");
         }
 
-        // From 70° off on attitude alone is commanded, until the body is within 30° and turns by less than 15 rad/s.
+        // From 70° off on attitude alone is commanded, with all the power that there is, until the body is within 30° and turns by less
+        // than 15 rad/s.
         [TestCase(69f, 0f, false)]
         [TestCase(71f, 0f, true)]
         [TestCase(31f, 0f, true)]
@@ -74,7 +75,8 @@ namespace Alate.Tests
             body.integral = 0.1f;
             BodyFeedback.Sample(ref body, 0f, point);
             Assert.That(body.rights, Is.EqualTo(rights ? 1 : 0));
-            Assert.That(body.Last(0), Is.EqualTo(rights ? 0f : -1f).Within(1e-6f));
+            Assert.That(body.Last(0), Is.EqualTo(rights ? FlightCommands.Limit(0) : -1f).Within(1e-6f), "frequency");
+            Assert.That(body.Last(1), Is.EqualTo(rights ? FlightCommands.Limit(1) : 0f).Within(1e-6f), "stroke");
             Assert.That(math.all(body.integral == (rights ? 0f : 0.1f)));
 
             body.recovers = 0;
