@@ -171,10 +171,7 @@ namespace Alate.Flight
                 return;
 
             m_Recorder?.Add(body, command, GuardCommands, length, count);
-            body.recovers = GuardCommands ? 1 : 0;
-            body.reference = body.rights != 0
-                ? m_Reference.Right(body, m_Table, dt)
-                : m_Reference.Step(command.velocity, command.heading, body.wind, body.velocityError, m_Table, GuardCommands, dt);
+            m_Reference.Lead(ref body, command, m_Table, GuardCommands, dt);
             State = body.Tumbles ? FlightState.Tumbling : command.wish == FlightWish.Land ? FlightState.Landing : FlightState.Flying;
         }
 

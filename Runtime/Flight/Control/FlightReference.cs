@@ -117,6 +117,20 @@ namespace Alate.Flight
             return turned;
         }
 
+        /// <summary>Leads an insect by a step: towards what is commanded, or out of a tumble.</summary>
+        /// <param name="body">The insect, whose reference is set.</param>
+        /// <param name="command">Velocity and heading are taken.</param>
+        /// <param name="table">Bounds of speed and climb.</param>
+        /// <param name="isGuarded">False follows commands that insects cannot fly, and rights no insect.</param>
+        /// <param name="dt">Seconds.</param>
+        internal void Lead(ref FlyingBody body, in FlightCommand command, TrimTable table, bool isGuarded, float dt)
+        {
+            body.recovers = isGuarded ? 1 : 0;
+            body.reference = body.rights != 0
+                ? Right(body, table, dt)
+                : Step(command.velocity, command.heading, body.wind, body.velocityError, table, isGuarded, dt);
+        }
+
         /// <summary>Moves on by a step towards what is wanted.</summary>
         /// <param name="wanted">Velocity over ground, m/s.</param>
         /// <param name="heading">Wanted heading, radians; not a number follows the way.</param>

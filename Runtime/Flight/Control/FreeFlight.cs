@@ -152,10 +152,7 @@ namespace Alate.Flight
             body.weight = Gravity * m_Model.GravityShare;
             body.gravity = Gravity;
             body.aid = math.saturate(Aid);
-            body.recovers = GuardCommands ? 1 : 0;
-            body.reference = body.rights != 0
-                ? m_Reference.Right(body, m_Table, dt)
-                : m_Reference.Step(command.velocity, command.heading, Wind, body.velocityError, m_Table, GuardCommands, dt);
+            m_Reference.Lead(ref body, command, m_Table, GuardCommands, dt);
             for (int k = 0; k < count; k++)
                 m_World.Step(length);
             Time += dt;

@@ -69,6 +69,21 @@ namespace Alate.Tests.Flight
         }
 
         [Test]
+        public void OnlyAGuardedInsect_IsLedOutOfATumble([Values] bool isGuarded, [Values] bool rights)
+        {
+            var body = new FlyingBody { rotation = quaternion.RotateX(2.5f), rights = rights ? 1 : 0 };
+            var reference = new FlightReference(new float3(0f, 0f, 0.1f), 0f, default);
+            FlightReference twin = reference;
+            var command = FlightCommand.Fly(new float3(0f, 0f, 0.2f));
+            reference.Lead(ref body, command, m_Table, isGuarded, k_Step);
+            BodyReference led = rights
+                ? twin.Right(body, m_Table, k_Step)
+                : twin.Step(command.velocity, command.heading, default, default, m_Table, isGuarded, k_Step);
+            Assert.That(body.recovers, Is.EqualTo(isGuarded ? 1 : 0));
+            Assert.That(math.distance(body.reference.velocity, led.velocity) + math.abs(body.reference.airSpeed - led.airSpeed), Is.Zero);
+        }
+
+        [Test]
         public void TurnRadius_IsSpeedOverTurnRate()
         {
             var limits = new FlightLimits(1.25f, -0.3f, 0.3f, 2.5f);
