@@ -47,8 +47,6 @@ internal sealed record BakePlan
                 + $"{BakeSettings.MinFrames} to {BakeSettings.MaxFrames}: {whole} at --beats-per-second {Word(fps / whole)}.");
     }
 
-    private static string Word(double value) => value.ToString("0.####", CultureInfo.InvariantCulture);
-
     /// <summary>Pictures on the parts of the bake.</summary>
     public BakePictures Pictures => m_Pictures ??= MeshFile == null ? new BakePictures(Species) : new BakePictures(OwnWing);
 
@@ -64,8 +62,12 @@ internal sealed record BakePlan
         try
         {
             InsectBake bake = InsectBaker.Bake(insect, Motions, new BakeSettings(Frames));
-            foreach (BakedClip clip in bake.Clips.Where(clip => clip.Frames.Count > 1))
-                clip.Frequency = (float)(BeatsPerSecond ?? clip.Frequency);
+            if (BeatsPerSecond is double beats)
+            {
+                foreach (BakedClip clip in bake.Clips.Where(clip => clip.Frames.Count > 1))
+                    clip.Frequency = (float)beats;
+            }
+
             return Triangles is int triangles && triangles < bake.Surface.TriangleCount
                 ? SmallerBake.Of(bake, triangles, out smallerError)
                 : bake;
@@ -89,4 +91,6 @@ internal sealed record BakePlan
             CatalogueFlight.AddTo(insect, Species);
         return insect;
     }
+
+    private static string Word(double value) => value.ToString("0.####", CultureInfo.InvariantCulture);
 }

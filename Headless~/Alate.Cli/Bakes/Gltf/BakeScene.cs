@@ -99,15 +99,16 @@ internal sealed class BakeScene
         GlbWriter.Write(gltf, binary, stream);
     }
 
+    private bool IsGlass(BakedPart part) =>
+        part.HasColours && part.Triangles.Any(vertex => m_Bake.Surface.Colours[vertex].a < byte.MaxValue);
+
     private int MaterialOf(BakedPart part)
     {
         if (m_MaterialOf.TryGetValue(part, out int material))
             return material;
-        bool isGlass = part.HasColours && part.Triangles.Any(vertex => m_Bake.Surface.Colours[vertex].a < byte.MaxValue);
-        WingTexture picture = m_Pictures.Of(part);
-        material = picture == null
-            ? m_Looks.Plain(part.HasColours, isGlass, part.Name)
-            : m_Looks.Of(picture.Png, picture.IsGlass, part.Name);
+        material = m_Pictures.Of(part) is { } picture
+            ? m_Looks.Of(picture.Png, picture.IsGlass, part.Name)
+            : m_Looks.Plain(part.HasColours, IsGlass(part), part.Name);
         m_MaterialOf.Add(part, material);
         return material;
     }
