@@ -104,11 +104,18 @@ namespace Alate.Tests.Cli
         public void AnExifThatIsDamaged_SaysNothing(byte[] exif) => Assert.That(ExifTurn.Of(exif), Is.EqualTo(1));
 
         [Test]
-        public void ADamagedJpeg_IsRefused_OrRead()
+        public void ADamagedJpeg_IsRefused_OrRead() => AssertReadOrRefused(90);
+
+        [Test]
+        [Explicit]
+        [Category("Long")]
+        public void ManyDamagedJpegs_AreRefused_OrRead() => AssertReadOrRefused(300);
+
+        private void AssertReadOrRefused(int count)
         {
             byte[] whole = CameraPicture.Of("base");
             var random = new System.Random(5);
-            for (int k = 0; k < 90; k++)
+            for (int k = 0; k < count; k++)
             {
                 byte[] bytes = k % 3 == 0 ? whole[..random.Next(3, whole.Length - 2)] : [.. whole];
                 for (int n = 0; k % 3 != 0 && n < 4; n++)

@@ -98,6 +98,9 @@ namespace Alate.Tests.Cli
         [TestCase("--length", "50mm", "50", "5cm", "5e-2m", "50000µm")]
         [TestCase("--mass", "1600mg", "1600", "1.6 g", "0.0016kg")]
         [TestCase("--frequency", "25Hz", "25", "1500/min", "157.07963267949rad/s")]
+        [TestCase("--length", "50mm", "50", "0.05m", "50 mm", "50000um", Explicit = true, Category = "Long")]
+        [TestCase("--mass", "1600mg", "1600", "1.6g", "1600000µg", Explicit = true, Category = "Long")]
+        [TestCase("--frequency", "25Hz", "25", "25", "25/s", "0.025kHz", Explicit = true, Category = "Long")]
         public void Units_AreAllTheSame(string option, string first, string value, params string[] others)
         {
             foreach (string typed in others.Prepend(first))

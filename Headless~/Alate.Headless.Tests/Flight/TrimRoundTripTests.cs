@@ -45,7 +45,14 @@ namespace Alate.Tests.FreeFlights
         // Pitch, frequency, amplitude, tilt or mean sweep is off; what the flight settles on is a trim, which a second flight hardly
         // changes.
         [Test]
-        public void WhatAFlightSettlesOn_IsATrim([Values(0, 3)] int part)
+        public void WhatAFlightSettlesOn_IsATrim([Values(0, 3)] int part) => AssertSettles(part);
+
+        [Test]
+        [Explicit]
+        [Category("Long")]
+        public void WhatAFlightSettlesOn_FromEachOtherPart_IsATrim([Values(1, 2, 4)] int part) => AssertSettles(part);
+
+        private static void AssertSettles(int part)
         {
             using var insect = new FlyingInsect("monarch");
             float[] point = Point(insect, out TrimState trim, out FlightCondition condition);

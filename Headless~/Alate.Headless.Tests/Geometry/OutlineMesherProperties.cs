@@ -15,7 +15,14 @@ namespace Alate.Tests
             select (seed, triangles));
 
         [Test]
-        public void AnyOutline_IsMeshedExactly_WithoutSlivers_AndWithoutOverlap()
+        public void AnyOutline_IsMeshedExactly_WithoutSlivers_AndWithoutOverlap() => AssertMeshed(40);
+
+        [Test]
+        [Explicit]
+        [Category("Long")]
+        public void AHundredOutlines_AreMeshedExactly_WithoutSlivers_AndWithoutOverlap() => AssertMeshed(100);
+
+        private static void AssertMeshed(int cases)
         {
             Prop.ForAll(Wings, wing =>
             {
@@ -34,7 +41,7 @@ namespace Alate.Tests
 
                 Assert.That(worst, Is.GreaterThan(0.4), "1 is equilateral; a right-angled triangle with an angle of 15° has 0.43");
                 Assert.That(sum, Is.EqualTo(Polygon.Area(mesh.points[..rim])).Within(1e-9 * sum));
-            }).Check(FixedRuns.Of(cases: 40));
+            }).Check(FixedRuns.Of(cases));
         }
 
         private static PlanPoint[] Outline(int seed)

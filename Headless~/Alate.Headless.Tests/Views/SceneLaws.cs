@@ -237,6 +237,18 @@ public sealed class SceneLaws
     }
 
     [Test]
+    public void AServer_MakesTheFirstInsectAtOnce_AndLeavesNothingOfIt_WhereNoPageOpens()
+    {
+        int before = NativeMemoryLedger.LiveCount;
+        ViewServer server = ViewServer.Start(InsectCatalogue.Find("monarch"), InsectVariant.Standard, 0, ThreeSource.Public)
+            .GetAwaiter().GetResult();
+        server.Simulation.RunUntil(server.Simulation.Do(() => { }));
+        Assert.That(NativeMemoryLedger.LiveCount, Is.GreaterThan(before), "nothing is made before a page opens");
+        server.Simulation.RunUntil(server.Stop());
+        Assert.That(NativeMemoryLedger.LiveCount, Is.EqualTo(before), NativeMemoryLedger.Describe());
+    }
+
+    [Test]
     public void Insects_LeaveNoNativeMemory_WhenTheyAreChangedSavedAndClosed()
     {
         int before = NativeMemoryLedger.LiveCount;

@@ -83,6 +83,11 @@ namespace Alate.Tests.Wake
         [Test]
         [Explicit]
         [Category("Long")]
+        public void OtherRandomMotions_StayFinite([Range(9, 24)] int seed) => AssertFinite(seed);
+
+        [Test]
+        [Explicit]
+        [Category("Long")]
         public void AThousandRandomMotions_StayFinite([Range(1001, 2000)] int seed) => AssertFinite(seed);
 
         private static void AssertFinite(int seed)

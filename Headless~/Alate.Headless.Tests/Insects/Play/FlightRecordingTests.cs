@@ -38,7 +38,14 @@ namespace Alate.Tests.Play
         }
 
         [UnityTest]
-        public IEnumerator AFlightThatOthersDisturb_ReplaysToTheBit([Values("firefly")] string name)
+        public IEnumerator AFlightThatOthersDisturb_ReplaysToTheBit() => ReplaysWhatOthersDisturb("firefly");
+
+        [UnityTest]
+        [Explicit]
+        [Category("Long")]
+        public IEnumerator AnotherFlightThatOthersDisturb_ReplaysToTheBit() => ReplaysWhatOthersDisturb("dragonfly");
+
+        private IEnumerator ReplaysWhatOthersDisturb(string name)
         {
             InsectFlight flight = Hatch(name);
             flight.transform.SetPositionAndRotation(new Vector3(3.7f, -2.1f, 11.3f), Quaternion.Euler(0f, 131f, 0f));

@@ -187,7 +187,14 @@ namespace Alate.Tests.Play
         }
 
         [UnityTest]
-        public IEnumerator AFastBeat_KeepsItsFrequencyInSlowSteps([Values(62f, 250f)] float frequency)
+        public IEnumerator AFastBeat_KeepsItsFrequencyInSlowSteps([Values(62f, 250f)] float frequency) => KeepsItsFrequency(frequency);
+
+        [UnityTest]
+        [Explicit]
+        [Category("Long")]
+        public IEnumerator AVeryFastBeat_KeepsItsFrequencyInSlowSteps() => KeepsItsFrequency(600f);
+
+        private IEnumerator KeepsItsFrequency(float frequency)
         {
             WingPreset preset = Keep(InsectCatalogue.Monarch());
             preset.Beat.maxFrequency = frequency;
