@@ -21,6 +21,12 @@ namespace Alate.Crowds
         /// <summary>Error of velocity at which an insect is lost, m/s.</summary>
         private const float k_Lost = 0.5f;
 
+        /// <summary>
+        /// Angle by which the wanted course is ahead of the heading at most, radians: an insect that turns slower than the motion says, such
+        /// as a fish, turns as fast as it can.
+        /// </summary>
+        private const float k_Ahead = 1f;
+
         private float3 m_Velocity, m_Ahead, m_Up;
         private float m_Turning;
 
@@ -44,16 +50,24 @@ namespace Alate.Crowds
             table.Climbs(speed, out float least, out float most);
             float climb = math.clamp(motion.Climb * table.TopSpeed, least, most), turning = math.radians(motion.TurnDegrees);
             using var flight = new FreeFlight(model, table, new FlightCondition(speed, climb));
-            var steady = new SteadyFlight { m_Turning = turning };
+            var steady = new SteadyFlight();
             float dt = 1f / (k_Samples * model.Frequency), settled = math.max(k_SettleSeconds, k_SettleBeats / model.Frequency);
             int first = -1;
-            double samples = 0.0;
+            float waited = 0f, waitedBefore = 0f;
+            double samples = 0.0, from = 0.0;
             while (first < 0 || flight.Beats < first + k_Averaged)
             {
-                float course = turning * (float)flight.Time;
-                flight.Step(FlightCommand.Fly(Along(course, new float3(0f, climb, speed)), turning != 0f ? course : 0f), dt);
+                float course = turning * (float)flight.Time - waited, ahead = Headings.Wrap(course - flight.Reference.Heading);
+                float beyond = ahead - math.clamp(ahead, -k_Ahead, k_Ahead);
+                waited += beyond;
+                course -= beyond;
+                flight.Step(FlightCommand.Fly(Along(course, new float3(0f, climb, speed)), course), dt);
                 if (first < 0 && flight.Time > settled)
+                {
                     first = flight.Beats + 1;
+                    (from, waitedBefore) = (flight.Time, waited);
+                }
+
                 if (flight.State == FlightState.Tumbling || !(math.length(flight.VelocityError) < k_Lost))
                 {
                     throw new BakeException($"Clip '{motion.Name}' cannot be flown: the insect is lost after "
@@ -65,6 +79,7 @@ namespace Alate.Crowds
                 steady.Add(flight, model);
             }
 
+            steady.m_Turning = turning - (waited - waitedBefore) / (float)(flight.Time - from);
             steady.Average((float)(1.0 / samples));
             return steady;
         }
