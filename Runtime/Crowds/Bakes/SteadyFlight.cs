@@ -22,8 +22,8 @@ namespace Alate.Crowds
         private const float k_Lost = 0.5f;
 
         /// <summary>
-        /// Angle by which the wanted course is ahead of the heading at most, radians: an insect that turns slower than the motion says, such
-        /// as a fish, turns as fast as it can.
+        /// Angle by which the wanted course is ahead of the heading at most, radians: an insect that turns slower than the motion says,
+        /// such as a fish, turns as fast as it can.
         /// </summary>
         private const float k_Ahead = 1f;
 
