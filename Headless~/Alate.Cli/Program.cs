@@ -40,6 +40,7 @@ public static class Program
         root.Subcommands.Add(SpeciesCommand.Create(output));
         root.Subcommands.Add(CompareCommand.Create(output));
         root.Subcommands.Add(SweepCommand.Create(output));
+        root.Subcommands.Add(StudyCommand.Create(output));
         root.Subcommands.Add(ConvergenceCommand.Create(output));
         root.Subcommands.Add(WindCommand.Create(output));
         root.Subcommands.Add(WakeCommand.Create(output));

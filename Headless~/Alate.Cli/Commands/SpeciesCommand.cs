@@ -41,7 +41,7 @@ internal static class SpeciesCommand
             if (parsed.GetResult(json) is { Implicit: false })
                 Write(file ?? (wanted == null ? null : sheets[0].Definition.Name + InsectFile.Ending), wanted, sheets);
             if (parsed.GetValue(schema) is string place)
-                OutputFile.Write(place, stream => stream.Write(Encoding.UTF8.GetBytes(InsectSchema.Write())));
+                OutputFile.Write(place, stream => stream.Write(Encoding.UTF8.GetBytes(FileSchema.Insect.Write())));
 
             var terminal = new Terminal(output);
             if (parsed.GetValue(check))

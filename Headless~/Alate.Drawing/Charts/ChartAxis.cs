@@ -29,17 +29,22 @@ internal sealed record ChartAxis(double From, double To, bool IsLogarithmic, IRe
     }
 
     /// <summary>An axis with round ticks that holds all values that are finite, and nought.</summary>
-    public static ChartAxis Linear(IEnumerable<double> values)
+    public static ChartAxis Linear(IEnumerable<double> values) => Around(values.Append(0.0));
+
+    /// <summary>An axis with round ticks that holds all values that are finite.</summary>
+    public static ChartAxis Around(IEnumerable<double> values)
     {
-        double low = 0.0, high = 0.0;
+        double low = double.PositiveInfinity, high = double.NegativeInfinity;
         foreach (double value in values.Where(double.IsFinite))
             (low, high) = (Math.Min(low, value), Math.Max(high, value));
+        if (low > high)
+            (low, high) = (0.0, 1.0);
         if (high - low < 1e-6)
-            high = low + 1.0;
+            high = low + Math.Max(1.0, 1e-3 * Math.Abs(low));
         double rough = (high - low) / 4.0, unit = Math.Pow(10.0, Math.Floor(Math.Log10(rough)));
         double step = unit * s_Rough.First(factor => factor * unit >= rough * 0.999);
         var ticks = new List<double>();
-        for (int k = (int)Math.Floor(low / step + 1e-9); k <= (int)Math.Ceiling(high / step - 1e-9); k++)
+        for (double k = Math.Floor(low / step + 1e-9); k <= Math.Ceiling(high / step - 1e-9); k++)
             ticks.Add(k * step);
         return new ChartAxis(ticks[0], ticks[^1], false, ticks);
     }

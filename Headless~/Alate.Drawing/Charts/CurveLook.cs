@@ -20,4 +20,7 @@ internal enum CurveLook
 
     /// <summary>Dotted, without marks: a bound.</summary>
     Dotted,
+
+    /// <summary>Small discs, without a line.</summary>
+    Dots,
 }

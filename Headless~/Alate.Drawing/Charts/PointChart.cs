@@ -41,6 +41,17 @@ internal sealed class PointChart
     /// <summary>Draws a curve.</summary>
     public void Draw(PointCurve curve)
     {
+        if (curve.Look != CurveLook.Dots)
+            DrawLine(curve);
+        foreach (ChartPoint point in curve.Points)
+        {
+            if (Contains(point))
+                Mark(m_Page, Place(point), curve.Colour, curve.Look);
+        }
+    }
+
+    private void DrawLine(PointCurve curve)
+    {
         var path = new StringBuilder();
         foreach (ChartPoint point in curve.Points)
         {
@@ -50,11 +61,6 @@ internal sealed class PointChart
 
         m_Page.Append(
             $"<path clip-path=\"url(#{m_Clip})\" d=\"{path.ToString()}\" fill=\"none\" stroke=\"{curve.Colour}\" {Stroke(curve.Look)}/>\n");
-        foreach (ChartPoint point in curve.Points)
-        {
-            if (Contains(point))
-                Mark(m_Page, Place(point), curve.Colour, curve.Look);
-        }
     }
 
     /// <summary>Puts a ring around a point.</summary>
@@ -86,6 +92,10 @@ internal sealed class PointChart
         if (look == CurveLook.Discs)
         {
             page.Append($"<circle cx=\"{place.x:0.#}\" cy=\"{place.y:0.#}\" r=\"3\" fill=\"{colour}\"/>\n");
+        }
+        else if (look == CurveLook.Dots)
+        {
+            page.Append($"<circle cx=\"{place.x:0.#}\" cy=\"{place.y:0.#}\" r=\"1.6\" fill=\"{colour}\"/>\n");
         }
         else if (look == CurveLook.Squares)
         {

@@ -77,6 +77,7 @@ namespace Alate.Tests.Architecture
                 {
                     ["Accuracy"] = [],
                     ["Comparisons"] = [],
+                    ["Designs"] = [],
                     ["Pages"] = [],
                     ["Skeletons"] = [],
                     ["Species"] = [],

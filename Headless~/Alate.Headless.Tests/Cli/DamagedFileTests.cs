@@ -32,6 +32,27 @@ namespace Alate.Tests.Cli
         [Test, Explicit, Category("Long")]
         public void SixHundredDamagedKinematics_FlyOrAreRefusedInOneLine() => FlyKinematics(k_Kinematics, k_Kinematics + k_All);
 
+        [Test, Explicit, Category("Long")]
+        public void TwoHundredDamagedStudies_AreFlownOrRefusedInOneLine()
+        {
+            const string k_Study = """
+                { "version": 1, "insect": "monarch", "options": ["--speed", "0"], "design": "latin-hypercube", "count": 2, "seed": 3,
+                  "parameters": [ { "key": "insect.beat.frequencyHertz", "from": 8, "to": 13 },
+                    { "key": "substeps", "from": 12, "to": 24, "whole": true },
+                    { "key": "elasticity", "from": 0.5, "to": 2, "scale": "logarithmic" } ],
+                  "measures": ["lift_over_weight", "power_w"], "best": { "most": "lift_over_weight", "least": "power_w" } }
+                """;
+            int refused = 0;
+            for (int seed = 0; seed < 200; seed++)
+            {
+                using var run = new CommandRun();
+                string file = run.Write("one.study.json", DamagedJson.Of(k_Study, seed).Replace("\"count\": 2000", "\"count\": 20"));
+                refused += AssertFliesOrRefuses(run, $"seed {seed}", file, ["study", file, "--workers", "1", "--out", run.Out]) ? 0 : 1;
+            }
+
+            Assert.That(refused, Is.InRange(20, 190), "some are damaged, and some fly");
+        }
+
         // Most fly on the spot; of eleven one flies freely, and of one the numbers are compared with those of real insects.
         private static void FlyInsects(int from, int to)
         {

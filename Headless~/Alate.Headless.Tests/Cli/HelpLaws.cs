@@ -89,7 +89,8 @@ public sealed class HelpLaws
         foreach (string slip in new[] { "x" + name, name + "q", name[1..], name[..^1], name[..1] + "qq"[..1] + name[2..] })
         {
             // Without its first letter "bake" is as near to "wake".
-            if (slip.Length < 3 || s_Commands.Count(known => known.Split(' ')[^1].EndsWith(slip)) > 1)
+            // What stands behind "study" may be a file.
+            if (command == "study merge" || slip.Length < 3 || s_Commands.Count(known => known.Split(' ')[^1].EndsWith(slip)) > 1)
                 continue;
             using var run = new CommandRun();
             Assert.That(run.Run([.. words[..^1], slip]), Is.EqualTo(2));

@@ -16,7 +16,7 @@ namespace Alate.Tests.Cli
         private const string k_Begin = "<!-- keys: ALATE_WRITE_API=1 and InsectSchemaTests write them -->\n",
             k_End = "<!-- end of keys -->";
 
-        private static readonly JsonSchema s_Schema = JsonSchema.FromText(InsectSchema.Write());
+        private static readonly JsonSchema s_Schema = JsonSchema.FromText(FileSchema.Insect.Write());
 
         private static string Manual(string name) => Path.Combine(PackageRoot.Find(), "Documentation~", name);
 
@@ -25,10 +25,10 @@ namespace Alate.Tests.Cli
         [Test]
         public void TheSchemaOfTheManual_IsThatOfTheReader()
         {
-            string path = Manual(InsectSchema.FileName);
+            string path = Manual(FileSchema.Insect.FileName);
             if (Writes)
-                File.WriteAllText(path, InsectSchema.Write());
-            Assert.That(InsectSchema.Write(), Is.EqualTo(File.ReadAllText(path)), "ALATE_WRITE_API=1 writes it.");
+                File.WriteAllText(path, FileSchema.Insect.Write());
+            Assert.That(FileSchema.Insect.Write(), Is.EqualTo(File.ReadAllText(path)), "ALATE_WRITE_API=1 writes it.");
         }
 
         [Test]
@@ -36,7 +36,7 @@ namespace Alate.Tests.Cli
         {
             string path = Manual("insect-file.md"), page = File.ReadAllText(path);
             int from = page.IndexOf(k_Begin, StringComparison.Ordinal) + k_Begin.Length, to = page.IndexOf(k_End, StringComparison.Ordinal);
-            string now = page[..from] + InsectSchema.WriteTables() + page[to..];
+            string now = page[..from] + FileSchema.Insect.WriteTables() + page[to..];
             if (Writes)
                 File.WriteAllText(path, now);
             Assert.That(now, Is.EqualTo(File.ReadAllText(path)), "ALATE_WRITE_API=1 writes them.");
@@ -48,7 +48,7 @@ namespace Alate.Tests.Cli
             using var run = new CommandRun();
             string file = Path.Combine(run.Folder, "s.json");
             Assert.That(run.Run("species", "--schema", file), Is.Zero, run.Errors);
-            Assert.That(File.ReadAllText(file), Is.EqualTo(InsectSchema.Write()));
+            Assert.That(File.ReadAllText(file), Is.EqualTo(FileSchema.Insect.Write()));
         }
 
         [Test]

@@ -2,31 +2,39 @@ using System.Text.Json.Nodes;
 
 namespace Alate.Cli;
 
-/// <summary>The keys of insect files as a JSON Schema, which editors check and complete by, and as the manual's tables.</summary>
-internal static class InsectSchema
+/// <summary>The keys of a kind of file as a JSON Schema, which editors check and complete by, and as the manual's tables.</summary>
+/// <param name="root">The whole file.</param>
+/// <param name="fileName">Name of the schema's file.</param>
+/// <param name="title">What such a file is called.</param>
+/// <param name="description">What it is for, in a sentence.</param>
+internal sealed class FileSchema(ObjectShape root, string fileName, string title, string description)
 {
-    /// <summary>Name of the file.</summary>
-    public const string FileName = "insect-file.schema.json";
+    /// <summary>Schema of insect files.</summary>
+    public static FileSchema Insect { get; } = new(
+        InsectKeys.File, "insect-file.schema.json", "Insect file", "An insect for the command line of Alate Insect Wings.");
 
-    /// <summary>Every kind of object, the whole file first, each once.</summary>
-    private static IReadOnlyList<ObjectShape> Objects { get; } = Below(InsectKeys.File).Distinct().ToList();
+    /// <summary>Name of the file.</summary>
+    public string FileName => fileName;
+
+    // Every kind of object, the whole file first, each once.
+    private List<ObjectShape> Objects => Below(root).Distinct().ToList();
 
     /// <summary>The schema's text.</summary>
-    public static string Write()
+    public string Write()
     {
         var definitions = new JsonObject();
         foreach (ObjectShape kind in Objects.Skip(1))
             definitions[kind.Name] = kind.Definition();
-        JsonObject file = InsectKeys.File.Definition();
+        JsonObject file = root.Definition();
         file.Insert(0, "$schema", "https://json-schema.org/draft/2020-12/schema");
-        file.Insert(1, "title", "Insect file");
-        file.Insert(2, "description", "An insect for the command line of Alate Insect Wings.");
+        file.Insert(1, "title", title);
+        file.Insert(2, "description", description);
         file["$defs"] = definitions;
         return InsectFileText.Pretty(file);
     }
 
     /// <summary>Tables of the manual: a heading and a table for each kind of object.</summary>
-    public static string WriteTables()
+    public string WriteTables()
     {
         WingPreset monarch = InsectCatalogue.Monarch();
         var text = new StringBuilder();

@@ -1,0 +1,135 @@
+using System.Text.Json;
+
+namespace Alate.Cli;
+
+/// <summary>A study file as it stands.</summary>
+internal sealed class StudyFile
+{
+    /// <summary>End of the name of such a file.</summary>
+    public const string Ending = ".study.json";
+
+    private const int k_UsualSteps = 5, k_UsualCount = 64;
+
+    private StudyFile(string path, string text, JsonPlace root)
+    {
+        Path = path;
+        Text = text;
+        Insect = root[StudyKeys.Insect].Text;
+        if (InsectFile.IsNamed(Insect))
+            Insect = System.IO.Path.Combine(System.IO.Path.GetDirectoryName(path) ?? "", Insect);
+        Options = root[StudyKeys.Options]?.Items.Select(word => word.Text).ToArray() ?? [];
+        Design = root[StudyKeys.Design]?.Text ?? StudyDesign.Grid;
+        Count = (int)(Number(root[StudyKeys.Count]) ?? k_UsualCount);
+        Seed = (uint)(Number(root[StudyKeys.Seed]) ?? 1);
+        if (Design == StudyDesign.Grid && root[StudyKeys.Count] is { } count)
+            throw count.Wrong("a grid has as many runs as its values make; 'steps' of a parameter says how many those are");
+        Parameters = root[StudyKeys.Parameters].Items.Select(Parameter).ToList();
+        JsonPlace twice = root[StudyKeys.Parameters].Items.FirstOrDefault(
+            one => Parameters.Count(other => other.Key == one[StudyKeys.Key].Text) > 1);
+        if (twice != null)
+            throw twice.Wrong($"'{twice[StudyKeys.Key].Text}' is changed twice");
+        Measures = root[StudyKeys.Measures]?.Items.Select(measure => measure.Text).Distinct().ToList() ?? StudyMeasure.Usual;
+        Most = root[StudyKeys.Best]?[StudyKeys.Most].Text;
+        Least = root[StudyKeys.Best]?[StudyKeys.Least].Text;
+    }
+
+    /// <summary>Path of the file.</summary>
+    public string Path { get; }
+
+    /// <summary>All of it.</summary>
+    public string Text { get; }
+
+    /// <summary>A species, or the path of an insect file.</summary>
+    public string Insect { get; }
+
+    /// <summary>Words of <c>fly</c>.</summary>
+    public IReadOnlyList<string> Options { get; }
+
+    /// <summary>One of <see cref="StudyDesign.Names"/>.</summary>
+    public string Design { get; }
+
+    /// <summary>Points of a design other than a grid.</summary>
+    public int Count { get; }
+
+    /// <summary>Seed of the Latin hypercube.</summary>
+    public uint Seed { get; }
+
+    /// <summary>Numbers that are changed.</summary>
+    public IReadOnlyList<StudyParameter> Parameters { get; }
+
+    /// <summary>Names of what is measured.</summary>
+    public IReadOnlyList<string> Measures { get; }
+
+    /// <summary>Measure that should be large, and one that should be small; null for none.</summary>
+    public string Most { get; }
+
+    /// <inheritdoc cref="Most"/>
+    public string Least { get; }
+
+    /// <summary>Reads a file.</summary>
+    /// <exception cref="UserException">It is none; the message names the line, the key and what is allowed.</exception>
+    public static StudyFile Read(string path)
+    {
+        string all = TextFile.Read(path, text => text.ReadToEnd());
+        try
+        {
+            var root = JsonPlace.Read(new StringReader(all));
+            StudyKeys.File.Check(root);
+            return new StudyFile(path, all, root);
+        }
+        catch (FormatException problem)
+        {
+            throw new UserException($"{path}: {problem.Message}");
+        }
+    }
+
+    private StudyParameter Parameter(JsonPlace place)
+    {
+        string key = place[StudyKeys.Key].Text;
+        if (!key.StartsWith(StudyParameter.OfInsect, StringComparison.Ordinal)
+            && StudyParameter.OfFlight.All(number => number.Name != key))
+        {
+            throw place[StudyKeys.Key].Wrong($"there is no number {Quote.Of(key)} of the flight. Known: "
+                + $"{string.Join(", ", StudyParameter.OfFlight.Select(number => number.Name))}; "
+                + "those of the insect begin with 'insect.'");
+        }
+
+        bool isLogarithmic = place[StudyKeys.Scale]?.Text == StudyKeys.Logarithmic,
+            isWhole = place[StudyKeys.Whole]?.Kind == JsonTokenType.True || key == FlightNumbers.Substeps.Name;
+        if (place[StudyKeys.Values] is { } listed)
+        {
+            JsonPlace other = new[] { StudyKeys.From, StudyKeys.To, StudyKeys.Steps, StudyKeys.Scale }.Select(word => place[word])
+                .FirstOrDefault(found => found != null);
+            if (Design != StudyDesign.Grid)
+            {
+                throw listed.Wrong(
+                    $"'{StudyKeys.Values}' is for a grid; the design '{Design}' takes '{StudyKeys.From}' and '{StudyKeys.To}'");
+            }
+
+            if (other != null)
+                throw other.Wrong($"it does not go with '{StudyKeys.Values}'");
+            double[] values = listed.Items.Select(item => Number(item).Value).ToArray();
+            return new StudyParameter(key, values.Min(), values.Max(), false, isWhole, values);
+        }
+
+        double from = Number(Needed(place, StudyKeys.From)).Value, to = Number(Needed(place, StudyKeys.To)).Value;
+        if (!(from < to))
+            throw place[StudyKeys.To].Wrong($"'{StudyKeys.To}' must be more than '{StudyKeys.From}'");
+        if (isLogarithmic && !(from > 0))
+            throw place[StudyKeys.From].Wrong("equal ratios need values above 0");
+        if (Design != StudyDesign.Grid && place[StudyKeys.Steps] is { } steps)
+            throw steps.Wrong($"it is for a grid; the design '{Design}' takes '{StudyKeys.Count}' points");
+        var parameter = new StudyParameter(key, from, to, isLogarithmic, isWhole, [from, to]);
+        int count = (int)(Number(place[StudyKeys.Steps]) ?? k_UsualSteps);
+        return Design != StudyDesign.Grid ? parameter : parameter with
+        {
+            Values = Enumerable.Range(0, count).Select(k => parameter.At((double)k / (count - 1))).Distinct().ToArray(),
+        };
+    }
+
+    private static JsonPlace Needed(JsonPlace place, string key) =>
+        place[key] ?? throw place.Wrong($"'{key}' is missing, or '{StudyKeys.Values}'");
+
+    private static double? Number(JsonPlace value) =>
+        value == null ? null : double.Parse(value.Text, NumberStyles.Float, CultureInfo.InvariantCulture);
+}

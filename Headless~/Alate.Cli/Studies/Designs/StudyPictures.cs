@@ -1,0 +1,86 @@
+namespace Alate.Cli;
+
+/// <summary>Charts of a study: each measure over each parameter, and the best compromises between two measures.</summary>
+internal static class StudyPictures
+{
+    /// <summary>Most charts of a picture, and dots of a chart.</summary>
+    private const int k_MostCharts = 60, k_MostDots = 1000;
+
+    /// <summary>Parts of a parameter's range over which a mean is taken.</summary>
+    private const int k_Parts = 10;
+
+    private const string k_Line = "#0b5fa5", k_Dot = "#a39b88", k_Front = "#c2410c";
+
+    /// <summary>effects.svg.</summary>
+    public static string DrawEffects(StudyResult result)
+    {
+        StudyFile file = result.Plan.File;
+        var sheet = new ChartSheet($"{result.Plan.Flight.Definition.DisplayName}: what changes what",
+            "A dot is a run. The line is the mean over a tenth of the range of a parameter, or at each value of a grid.");
+        int charts = 0;
+        foreach (string measure in file.Measures)
+        {
+            double[] values = result.Values(measure);
+            for (int k = 0; k < file.Parameters.Count && charts < k_MostCharts; k++)
+            {
+                int parameter = k;
+                double[] at = result.Rows.Select(row => result.Plan.Points[row.Run][parameter]).ToArray();
+                PointChart chart = sheet.Chart(
+                    charts++, $"{Short(measure)} over {Short(file.Parameters[k].Key)}", Across(file.Parameters[k], at),
+                    ChartAxis.Around(values));
+                chart.Draw(new PointCurve(Thinned(at, values), k_Dot, CurveLook.Dots));
+                chart.Draw(new PointCurve(Means(file, file.Parameters[k], at, values), k_Line, CurveLook.Discs));
+            }
+        }
+
+        return sheet.Finish(charts, "Measures of a study over its parameters");
+    }
+
+    /// <summary>pareto.svg.</summary>
+    public static string DrawFront(StudyResult result)
+    {
+        StudyFile file = result.Plan.File;
+        double[] most = result.Values(file.Most), least = result.Values(file.Least);
+        const float k_Width = 620f, k_Height = 440f, k_Top = 70f;
+        var page = new SvgPage();
+        page.Text(ChartSheet.Edge, 38f, 22f, $"{result.Plan.Flight.Definition.DisplayName}: the best compromises", look: "b");
+        page.Text(ChartSheet.Edge, 60f, 13f, $"{result.Front.Count} of {most.Length} runs are beaten by no other in both.", look: "t");
+        var chart = new PointChart(page, $"{Short(file.Most)} over {Short(file.Least)}", ChartAxis.Around(least), ChartAxis.Around(most),
+            12f, k_Top, new float2(k_Width - ChartSheet.Edge, k_Height));
+        chart.Draw(new PointCurve(Thinned(least, most), k_Dot, CurveLook.Dots));
+        chart.Draw(new PointCurve(
+            result.Front.Select(run => new ChartPoint(least[run], most[run])).Reverse().ToList(), k_Front, CurveLook.Discs));
+        return page.Finish(k_Width, k_Top + k_Height + 12f, "The best compromises between two measures of a study");
+    }
+
+    private static string Short(string name) => name.StartsWith(StudyParameter.OfInsect, StringComparison.Ordinal)
+        ? name[(name.LastIndexOf('.') + 1)..]
+        : name.Replace('_', ' ');
+
+    private static ChartAxis Across(StudyParameter parameter, double[] values) =>
+        parameter.IsLogarithmic ? ChartAxis.Logarithmic(values.Min(), values.Max()) : ChartAxis.Around(values);
+
+    private static List<ChartPoint> Thinned(double[] across, double[] up)
+    {
+        int step = 1 + across.Length / k_MostDots;
+        return Enumerable.Range(0, across.Length).Where(k => k % step == 0 && double.IsFinite(across[k]) && double.IsFinite(up[k]))
+            .Select(k => new ChartPoint(across[k], up[k])).ToList();
+    }
+
+    private static List<ChartPoint> Means(StudyFile file, StudyParameter parameter, double[] at, double[] values)
+    {
+        bool isGrid = file.Design == StudyDesign.Grid;
+        return Enumerable.Range(0, at.Length).Where(k => double.IsFinite(values[k]))
+            .GroupBy(k => isGrid ? at[k] : Part(parameter, at[k]))
+            .OrderBy(part => part.Key)
+            .Select(part => new ChartPoint(part.Average(k => at[k]), part.Average(k => values[k]))).ToList();
+    }
+
+    private static double Part(StudyParameter parameter, double value)
+    {
+        double share = parameter.IsLogarithmic
+            ? Math.Log(value / parameter.From) / Math.Log(parameter.To / parameter.From)
+            : (value - parameter.From) / (parameter.To - parameter.From);
+        return Math.Min((int)(share * k_Parts), k_Parts - 1);
+    }
+}

@@ -1,0 +1,123 @@
+using System.Security.Cryptography;
+using System.Text.Json.Nodes;
+
+namespace Alate.Cli;
+
+/// <summary>Plan of a study: an insect, a flight, parameters and measures.</summary>
+internal sealed class StudyPlan
+{
+    private readonly string m_InsectText;
+
+    /// <summary>Completes what a file says.</summary>
+    /// <param name="file">What it says.</param>
+    /// <param name="flight">The flight of its options.</param>
+    /// <exception cref="UserException">A parameter or a measure does not exist, or an end of a parameter is out of range.</exception>
+    public StudyPlan(StudyFile file, FlightPlan flight)
+    {
+        File = file;
+        Flight = flight;
+        m_InsectText = InsectFileText.Write(flight.Definition);
+        Measures = file.Measures.Select(name => StudyMeasure.Find(name, flight.Definition) ?? throw Unknown(name)).ToList();
+        foreach (string name in new[] { file.Most, file.Least }.Where(name => name != null && !file.Measures.Contains(name)))
+            throw new UserException($"{file.Path}: {StudyKeys.Best}: '{name}' is none of the study's measures.");
+        long runs = StudyDesign.Runs(file.Design, file.Count, file.Parameters);
+        if (runs > StudyKeys.MostRuns)
+            throw new UserException($"{file.Path}: the design has {runs} runs; at most {StudyKeys.MostRuns} are allowed.");
+        foreach (StudyParameter parameter in file.Parameters)
+            Try(parameter);
+        Points = StudyDesign.Points(file.Design, file.Count, file.Seed, file.Parameters);
+        Hash = HashOf();
+    }
+
+    /// <summary>The study file.</summary>
+    public StudyFile File { get; }
+
+    /// <summary>The flight of every run, without the parameters.</summary>
+    public FlightPlan Flight { get; }
+
+    /// <summary>Measures of each run.</summary>
+    public IReadOnlyList<StudyMeasure> Measures { get; }
+
+    /// <summary>[run][parameter] Values.</summary>
+    public double[][] Points { get; }
+
+    /// <summary>SHA-256 of all that decides the results: version, file, insect, flight and the files that were read.</summary>
+    public string Hash { get; }
+
+    /// <summary>Flies a run.</summary>
+    /// <param name="run">0 for the first.</param>
+    public StudyRow Fly(int run)
+    {
+        try
+        {
+            var summary = FlightSummary.Of(TetheredFlight.Fly(At(Points[run])));
+            return new StudyRow(run, Measures.Select(measure => measure.Of(summary)).ToArray(), null);
+        }
+        catch (UserException problem)
+        {
+            return new StudyRow(run, Measures.Select(_ => double.NaN).ToArray(), problem.Message);
+        }
+    }
+
+    // Each end by itself, so that a range is refused before anything is flown.
+    private void Try(StudyParameter parameter)
+    {
+        foreach (double value in parameter.Values)
+        {
+            try
+            {
+                At([(parameter, value)]);
+            }
+            catch (UserException problem)
+            {
+                throw new UserException(FormattableString.Invariant($"{File.Path}: '{parameter.Key}' at {value}: {problem.Message}"));
+            }
+        }
+    }
+
+    private FlightPlan At(double[] point) => At(File.Parameters.Select((parameter, k) => (parameter, point[k])).ToArray());
+
+    private FlightPlan At((StudyParameter Parameter, double Value)[] changes)
+    {
+        FlightPlan plan = Flight;
+        if (Array.Exists(changes, change => change.Parameter.IsOfInsect))
+            plan = plan with { Definition = InsectAt(changes) };
+        foreach ((StudyParameter parameter, double value) in changes)
+            plan = parameter.IsOfInsect ? plan : parameter.In(plan, value);
+        return plan;
+    }
+
+    private InsectDefinition InsectAt((StudyParameter Parameter, double Value)[] changes)
+    {
+        var insect = JsonNode.Parse(m_InsectText);
+        foreach ((StudyParameter parameter, double value) in changes)
+        {
+            if (parameter.IsOfInsect)
+                parameter.In(insect, KnownSpecies.Word(Flight.Variant), value);
+        }
+
+        try
+        {
+            return InsectFile.Read(JsonPlace.Read(new StringReader(insect.ToJsonString())), Flight.Definition.FilePath ?? File.Path);
+        }
+        catch (FormatException problem)
+        {
+            // The lines are those of a text that nobody sees.
+            const string k_Line = "line 1, ";
+            throw new UserException(
+                problem.Message.StartsWith(k_Line, StringComparison.Ordinal) ? problem.Message[k_Line.Length..] : problem.Message);
+        }
+    }
+
+    private UserException Unknown(string name) =>
+        new($"{File.Path}: there is no measure {Quote.Of(name)}. Known: {string.Join(", ", StudyMeasure.Names)}.");
+
+    private string HashOf()
+    {
+        var all = new StringBuilder();
+        all.Append(PackageRoot.Version).Append('\n').Append(File.Text).Append('\n').Append(m_InsectText).Append('\n');
+        foreach (string path in ReadFiles.Paths.Where(path => path != File.Path))
+            all.Append(ReadFiles.HashOf(path)).Append('\n');
+        return Convert.ToHexStringLower(SHA256.HashData(Encoding.UTF8.GetBytes(all.ToString())));
+    }
+}

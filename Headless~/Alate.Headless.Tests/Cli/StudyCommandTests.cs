@@ -1,0 +1,289 @@
+using System;
+using System.Collections.Generic;
+using System.Diagnostics;
+using System.Globalization;
+using System.IO;
+using System.Linq;
+using System.Text.Json;
+using System.Text.Json.Nodes;
+using System.Threading;
+using System.Threading.Tasks;
+using Alate.Catalogue;
+using Alate.Cli;
+using Json.Schema;
+using NUnit.Framework;
+using Parquet;
+using Parquet.Schema;
+
+namespace Alate.Tests.Cli;
+
+/// <summary>The command <c>study</c>: what it writes, that it goes on where it was, and what it refuses.</summary>
+public sealed class StudyCommandTests
+{
+    private const string k_Study = """
+        {
+          "version": 1,
+          "insect": "painted-lichen-moth",
+          "options": ["--speed", "0", "--pitch", "30"],
+          "parameters": [
+            { "key": "insect.beat.frequencyHertz", "values": [20, 30] },
+            { "key": "elasticity", "from": 0.5, "to": 2, "steps": 2, "scale": "logarithmic" }
+          ],
+          "measures": ["lift_over_weight", "positive_power_w", "twist_pp_deg"],
+          "best": { "most": "lift_over_weight", "least": "positive_power_w" }
+        }
+        """;
+
+    private const string k_Begin = "<!-- keys: ALATE_WRITE_API=1 and StudyCommandTests write them -->\n", k_End = "<!-- end of keys -->";
+
+    private static bool Writes => Environment.GetEnvironmentVariable("ALATE_WRITE_API") == "1";
+
+    private CommandRun m_Whole;
+    private string m_File;
+
+    [OneTimeSetUp]
+    public void Fly()
+    {
+        m_Whole = new CommandRun();
+        m_File = m_Whole.Write("moth.study.json", k_Study);
+        Assert.That(m_Whole.Run("study", m_File, "--out", m_Whole.Out), Is.Zero, m_Whole.Errors);
+    }
+
+    [OneTimeTearDown]
+    public void RemoveFiles() => m_Whole.Dispose();
+
+    [Test]
+    public void ARow_IsTheFlightOfAnInsectFile_WithItsValues()
+    {
+        var insect = JsonNode.Parse(InsectFileText.Write(InsectCatalogue.Find("painted-lichen-moth")));
+        insect["beat"]["frequencyHertz"] = 30;
+        using var run = new CommandRun();
+        string file = run.Write("moth.insect.json", insect.ToJsonString());
+        Assert.That(run.Run("fly", file, "--speed", "0", "--pitch", "30", "--elasticity", "2", "--no-pictures", "--out", run.Out), Is.Zero);
+        JsonElement summary = JsonDocument.Parse(File.ReadAllText(Path.Combine(run.Out, "summary.json"))).RootElement;
+
+        Dictionary<string, string> row = Rows(m_Whole.Out)
+            .Single(row => row["insect.beat.frequencyHertz"] == "30" && row["elasticity"] == "2");
+        foreach (string measure in new[] { "lift_over_weight", "positive_power_w", "twist_pp_deg" })
+        {
+            double told = summary.GetProperty(measure).GetDouble();
+            Assert.That(Number(row[measure]), Is.EqualTo(told).Within(1e-5 * Math.Abs(told)), measure);
+        }
+    }
+
+    [Test]
+    public void Rows_AreInTheOrderOfTheRuns_AndTheBestAreMarked()
+    {
+        Dictionary<string, string>[] rows = Rows(m_Whole.Out);
+        Assert.That(rows.Select(row => row["run"]), Is.EqualTo(new[] { "0", "1", "2", "3" }));
+        Assert.That(rows.Select(row => (row["insect.beat.frequencyHertz"], row["elasticity"])),
+            Is.EqualTo(new[] { ("20", "0.5"), ("20", "2"), ("30", "0.5"), ("30", "2") }));
+        Assert.That(rows.Single(row => rows.All(other => Number(other["lift_over_weight"]) <= Number(row["lift_over_weight"])))["is_best"],
+            Is.EqualTo("yes"));
+        Assert.That(rows.Select(row => row["problem"]), Has.All.Empty);
+    }
+
+    [Test]
+    public async Task TheParquetFile_HoldsTheTable()
+    {
+        Dictionary<string, string>[] rows = Rows(m_Whole.Out);
+        await using ParquetReader reader = await ParquetReader.CreateAsync(Path.Combine(m_Whole.Out, "study.parquet"));
+        Assert.That(reader.Schema.GetDataFields().Select(field => field.Name), Is.EqualTo(rows[0].Keys));
+        using ParquetRowGroupReader group = reader.OpenRowGroupReader(0);
+        DataField field = reader.Schema.GetDataFields().Single(field => field.Name == "lift_over_weight");
+        double[] lifts = new double[rows.Length];
+        await group.ReadAsync<double>(field, lifts);
+        Assert.That(lifts, Is.EqualTo(rows.Select(row => Number(row["lift_over_weight"]))));
+    }
+
+    // A killed run leaves its file at any byte.
+    [Test]
+    public void AStudyThatWasStoppedAnywhere_GoesOn_AndWritesTheSameBytes([Values(0.0, 0.3, 0.62, 0.99)] double share)
+    {
+        using var run = new CommandRun();
+        Directory.CreateDirectory(run.Out);
+        byte[] done = File.ReadAllBytes(Path.Combine(m_Whole.Out, "rows-1-of-1.jsonl"));
+        File.WriteAllBytes(Path.Combine(run.Out, "rows-1-of-1.jsonl"), done[..(int)(share * done.Length)]);
+        Assert.That(run.Run("study", m_File, "--out", run.Out), Is.Zero, run.Errors);
+        AssertSame(run.Out);
+    }
+
+    [Test]
+    public void Parts_AreJoinedToTheSameBytes_AndAMissingOneIsNamed()
+    {
+        using var run = new CommandRun();
+        string one = Path.Combine(run.Folder, "one"), two = Path.Combine(run.Folder, "two");
+        Assert.That(run.Run("study", m_File, "--out", one, "--shard", "1/3"), Is.Zero, run.Errors);
+        Assert.That(run.Run("study", m_File, "--out", two, "--shard", "2/3"), Is.Zero, run.Errors);
+        Assert.That(run.Run("study", "merge", m_File, one, two, "--out", run.Out), Is.EqualTo(2));
+        Assert.That(run.Errors, Does.Contain("1 of 4 runs are not flown yet; run 2 is the first of them."));
+        Assert.That(Directory.Exists(run.Out), Is.False);
+        Assert.That(run.Run("study", m_File, "--out", two, "--shard", "3/3"), Is.Zero, run.Errors);
+        Assert.That(run.Run("study", "merge", m_File, one, two, "--out", run.Out), Is.Zero, run.Errors);
+        AssertSame(run.Out);
+    }
+
+    [Test]
+    public void RowsOfAnotherStudy_AreRefused_AndStay()
+    {
+        using var run = new CommandRun();
+        string other = run.Write("moth.study.json", k_Study.Replace("\"30\"", "\"31\""));
+        Directory.CreateDirectory(run.Out);
+        string rows = Path.Combine(run.Out, "rows-1-of-1.jsonl");
+        File.Copy(Path.Combine(m_Whole.Out, "rows-1-of-1.jsonl"), rows);
+        byte[] before = File.ReadAllBytes(rows);
+        Assert.That(run.Run("study", other, "--out", run.Out), Is.EqualTo(2));
+        Assert.That(run.Errors, Does.Contain("rows of another study").And.Contain("rows-1-of-1.jsonl"));
+        Assert.That(File.ReadAllBytes(rows).AsSpan().SequenceEqual(before));
+    }
+
+    [Test]
+    public void ARunThatCannotBeFlown_IsARow_ThatSaysWhy()
+    {
+        using var run = new CommandRun();
+        string file = run.Write("s.study.json", """
+            { "version": 1, "insect": "monarch", "parameters": [
+                { "key": "elasticity", "values": [1, 1000000] }, { "key": "insect.stiffness.elasticity", "values": [1, 900000] } ] }
+            """);
+        Assert.That(run.Run("study", file, "--out", run.Out), Is.Zero, run.Errors);
+        Dictionary<string, string>[] rows = Rows(run.Out);
+        Assert.That(rows.Select(row => row["problem"].Length > 0), Is.EqualTo(new[] { false, false, false, true }));
+        Assert.That(rows[3]["lift_over_weight"], Is.Empty);
+        Assert.That(run.Output, Does.Contain("1 runs could not be flown"));
+    }
+
+    // M is a version and a monarch, P a parameter; quotes are single.
+    [TestCase("'grid' }", "not JSON")]
+    [TestCase("{ M }", "'parameters' is missing")]
+    [TestCase("{ 'version': 2, 'insect': 'monarch', 'parameters': [P] }", "version: 2 is out of range: 1 is allowed")]
+    [TestCase("{ 'version': 1, 'insect': 'wasp', 'parameters': [P] }", "Unknown species 'wasp'")]
+    [TestCase("{ M, 'parameters': [P, P] }", "'pitch' is changed twice")]
+    [TestCase("{ M, 'parameters': [{ 'key': 'pich', 'from': 0, 'to': 1 }] }", "no number 'pich'")]
+    [TestCase("{ M, 'parameters': [{ 'key': 'pitch', 'from': 0, 'to': 99 }] }",
+        "'pitch' at 99: 'pitch' must lie between -90 and 90; it is 99.")]
+    [TestCase("{ M, 'parameters': [{ 'key': 'insect.beat.colour', 'from': 0, 'to': 9 }] }",
+        "The insect has no number 'insect.beat.colour'")]
+    [TestCase("{ M, 'parameters': [{ 'key': 'insect.name', 'from': 0, 'to': 9 }] }", "The insect has no number 'insect.name'")]
+    [TestCase("{ M, 'parameters': [{ 'key': 'insect.beat.frequencyHertz', 'from': 0, 'to': 9 }] }",
+        "at 0: beat.frequencyHertz: 0 is out of range")]
+    [TestCase("{ M, 'parameters': [{ 'key': 'pitch', 'from': 5, 'to': 5 }] }", "'to' must be more than 'from'")]
+    [TestCase("{ M, 'parameters': [{ 'key': 'pitch', 'from': 5 }] }", "'to' is missing")]
+    [TestCase("{ M, 'parameters': [{ 'key': 'pitch', 'values': [1], 'to': 2 }] }", "it does not go with 'values'")]
+    [TestCase("{ M, 'parameters': [{ 'key': 'pitch', 'from': 0, 'to': 9, 'scale': 'logarithmic' }] }", "equal ratios need values above 0")]
+    [TestCase("{ M, 'design': 'sobol', 'parameters': [{ 'key': 'pitch', 'values': [1] }] }", "'values' is for a grid")]
+    [TestCase("{ M, 'design': 'sobol', 'parameters': [{ 'key': 'pitch', 'from': 0, 'to': 9, 'steps': 3 }] }", "it is for a grid")]
+    [TestCase("{ M, 'count': 9, 'parameters': [P] }", "a grid has as many runs as its values make")]
+    [TestCase("{ M, 'parameters': [P], 'measures': ['joy'] }", "there is no measure 'joy'")]
+    [TestCase("{ M, 'parameters': [P], 'measures': ['hind wing.lag_deg'] }", "there is no measure")]
+    [TestCase("{ M, 'parameters': [P], 'best': { 'most': 'lift_n', 'least': 'power_w' } }",
+        "best: 'lift_n' is none of the study's measures.")]
+    [TestCase("{ M, 'options': ['--out', 'x'], 'parameters': [P] }", "--out is an option of 'study'")]
+    [TestCase("{ M, 'options': ['--sped', '1'], 'parameters': [P] }", "options: 'fly' has no option")]
+    [TestCase("{ M, 'options': ['--variant', 'biological'], 'parameters': [P] }", "There is no biological monarch")]
+    [TestCase("{ M, 'parameters': [P, FINE1, FINE2] }",
+        "the design has 5000000 runs")]
+    public void WhatIsWrong_IsOneLine_AndNothingIsWritten(string study, string problem)
+    {
+        using var run = new CommandRun();
+        string file = run.Write("s.study.json", study.Replace("FINE1", Fine("speed")).Replace("FINE2", Fine("climb"))
+            .Replace("M", "'version': 1, 'insect': 'monarch'").Replace("P", "{ 'key': 'pitch', 'from': 0, 'to': 9 }").Replace('\'', '"'));
+        Assert.That(run.Run("study", file, "--out", run.Out), Is.EqualTo(2), run.Errors);
+        bool isOfInsect = problem.StartsWith("Unknown") || problem.StartsWith("There");
+        Assert.That(run.Errors, Does.Contain(problem).And.Contain(isOfInsect ? "" : file));
+        Assert.That(run.Errors.Trim().Split('\n'), Has.Length.EqualTo(1));
+        Assert.That(Directory.Exists(run.Out), Is.False);
+    }
+
+    [Test]
+    public void Scripts_NameTheStudyAndItsParts_AndFlyNothing()
+    {
+        using var run = new CommandRun();
+        string file = run.Write("it's.study.json", k_Study);
+        Assert.That(run.Run("study", file, "--out", run.Out, "--slurm", "5", "--kubernetes", "6"), Is.Zero, run.Errors);
+        Assert.That(Directory.GetFiles(run.Out).Select(Path.GetFileName), Is.EquivalentTo(new[] { "study.sbatch", "study.yaml" }));
+        string slurm = File.ReadAllText(Path.Combine(run.Out, "study.sbatch")), job = File.ReadAllText(Path.Combine(run.Out, "study.yaml"));
+        Assert.That(slurm, Does.Contain("--array=1-5").And.Contain("--shard \"$SLURM_ARRAY_TASK_ID/5\"")
+            .And.Contain("it'\\''s.study.json'"));
+        Dictionary<string, object> read = new YamlDotNet.Serialization.Deserializer().Deserialize<Dictionary<string, object>>(job);
+        Assert.That(((Dictionary<object, object>)read["spec"])["completions"], Is.EqualTo("6"));
+        Assert.That(job, Does.Contain("--shard $((JOB_COMPLETION_INDEX + 1))/6"));
+    }
+
+    [Test]
+    public void TheSchemaAndTablesOfTheManual_AreThoseOfTheReader()
+    {
+        string folder = Path.Combine(PackageRoot.Find(), "Documentation~"), page = Path.Combine(folder, "studies.md"),
+            schema = Path.Combine(folder, StudyKeys.Schema.FileName), text = File.ReadAllText(page);
+        int from = text.IndexOf(k_Begin, StringComparison.Ordinal) + k_Begin.Length, to = text.IndexOf(k_End, StringComparison.Ordinal);
+        string now = text[..from] + StudyKeys.Schema.WriteTables() + text[to..];
+        if (Writes)
+        {
+            File.WriteAllText(page, now);
+            File.WriteAllText(schema, StudyKeys.Schema.Write());
+        }
+
+        Assert.That(now, Is.EqualTo(File.ReadAllText(page)), "ALATE_WRITE_API=1 writes it.");
+        Assert.That(StudyKeys.Schema.Write(), Is.EqualTo(File.ReadAllText(schema)), "ALATE_WRITE_API=1 writes it.");
+        var known = JsonSchema.FromText(StudyKeys.Schema.Write());
+        foreach (string study in Directory.GetFiles(Path.Combine(folder, "studies")).Select(File.ReadAllText).Append(k_Study))
+            Assert.That(known.Evaluate(JsonNode.Parse(study)).IsValid);
+    }
+
+    [Test]
+    [Explicit]
+    [Category("Long")]
+    public void AThousandRuns_KilledTenTimes_AndFlownInSevenParts_AreTheSameTable()
+    {
+        using var run = new CommandRun();
+        string file = run.Write("s.study.json", k_Study.Replace("\"values\": [20, 30]", "\"from\": 20, \"to\": 30, \"steps\": 25")
+            .Replace("\"steps\": 2,", "\"steps\": 40,"));
+        Assert.That(run.Run("study", file, "--out", run.Out, "--workers", "2"), Is.Zero, run.Errors);
+        byte[] whole = File.ReadAllBytes(Path.Combine(run.Out, "study.csv"));
+        Assert.That(whole.AsSpan().Count((byte)'\n'), Is.EqualTo(1001));
+
+        string killed = Path.Combine(run.Folder, "killed");
+        var random = new Random(26);
+        int kills = 0;
+        for (int before = -1; kills < 10; kills++)
+        {
+            using var process = Process.Start(new ProcessStartInfo("/bin/sh",
+                ["-c", $"exec {CommandProcess.Program} study '{file}' --out '{killed}' --workers 2 >/dev/null"]));
+            Thread.Sleep(random.Next(1500, 3500));
+            Assert.That(process.HasExited, Is.False, $"done after {kills} kills");
+            process.Kill();
+            process.WaitForExit();
+            int rows = Directory.GetFiles(killed, "rows-*.jsonl").Sum(rows => File.ReadLines(rows).Count());
+            Assert.That(rows, Is.GreaterThanOrEqualTo(before), "rows were lost");
+            before = rows;
+        }
+
+        Assert.That(run.Run("study", file, "--out", killed, "--workers", "2"), Is.Zero, run.Errors);
+        Assert.That(File.ReadAllBytes(Path.Combine(killed, "study.csv")).AsSpan().SequenceEqual(whole), "killed");
+
+        string[] parts = Enumerable.Range(1, 7).Select(part => Path.Combine(run.Folder, "part" + part)).ToArray();
+        for (int part = 1; part <= 7; part++)
+            Assert.That(run.Run("study", file, "--out", parts[part - 1], "--shard", part + "/7"), Is.Zero, run.Errors);
+        string merged = Path.Combine(run.Folder, "merged");
+        Assert.That(run.Run(["study", "merge", file, .. parts, "--out", merged]), Is.Zero, run.Errors);
+        Assert.That(File.ReadAllBytes(Path.Combine(merged, "study.csv")).AsSpan().SequenceEqual(whole), "merged");
+    }
+
+    private static string Fine(string key) => $"{{ 'key': '{key}', 'from': 0, 'to': 1, 'steps': 1000 }}";
+
+    private void AssertSame(string folder)
+    {
+        foreach (string name in new[] { "study.csv", "study.parquet", "effects.svg", "pareto.svg" })
+        {
+            Assert.That(File.ReadAllBytes(Path.Combine(folder, name)).AsSpan()
+                .SequenceEqual(File.ReadAllBytes(Path.Combine(m_Whole.Out, name))), name);
+        }
+    }
+
+    private static Dictionary<string, string>[] Rows(string folder)
+    {
+        string[][] lines = [.. File.ReadLines(Path.Combine(folder, "study.csv")).Select(line => line.Split(','))];
+        return [.. lines.Skip(1).Select(line => lines[0].Zip(line).ToDictionary(pair => pair.First, pair => pair.Second))];
+    }
+
+    private static double Number(string cell) => double.Parse(cell, CultureInfo.InvariantCulture);
+}
