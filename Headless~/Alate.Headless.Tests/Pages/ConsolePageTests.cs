@@ -1,5 +1,4 @@
 using System.Diagnostics;
-using System.IO;
 using System.Linq;
 using Alate.Cli;
 using Alate.Tests.Cli;
@@ -21,7 +20,8 @@ public sealed class ConsolePageTests
         run.Write("Program.cs", PageCode.Of("console.md").Single());
         var start = new ProcessStartInfo("dotnet", ["run"])
         {
-            WorkingDirectory = run.Folder, RedirectStandardOutput = true, RedirectStandardError = true,
+            WorkingDirectory = run.Folder,
+            RedirectStandardOutput = true,
         };
         using var process = Process.Start(start);
         string[] lines = process.StandardOutput.ReadToEnd().Trim().Split('\n');
