@@ -43,14 +43,43 @@ namespace Alate
                 stretches[k] = math.abs(math.distance(positions[m_Edges[k].a], positions[m_Edges[k].b]) / m_Edges[k].length - 1f);
         }
 
-        /// <summary>The value that the given share of all values does not exceed; sorts the values.</summary>
-        /// <param name="values">One or more.</param>
+        /// <summary>The value that the given share of all values does not exceed; puts the values into another order.</summary>
+        /// <param name="values">One or more; those that are no number count as the least.</param>
         /// <param name="share">0 to 1; 1 is the largest value.</param>
         public static float Percentile(float[] values, float share)
         {
-            Array.Sort(values);
-            return values[math.clamp((int)math.ceil(share * values.Length) - 1, 0, values.Length - 1)];
+            int rank = math.clamp((int)math.ceil(share * values.Length) - 1, 0, values.Length - 1);
+            int from = 0, to = values.Length - 1;
+            for (int k = 0; k < values.Length; k++)
+            {
+                if (float.IsNaN(values[k]))
+                    Swap(values, k, from++);
+            }
+
+            // Parts the values about one of them, and goes on in the part that holds the rank.
+            while (from < to && from <= rank)
+            {
+                float middle = values[from + (to - from) / 2];
+                int low = from, high = to;
+                while (low <= high)
+                {
+                    while (values[low] < middle)
+                        low++;
+                    while (values[high] > middle)
+                        high--;
+                    if (low <= high)
+                        Swap(values, low++, high--);
+                }
+
+                if (rank > high && rank < low)
+                    break;
+                (from, to) = rank <= high ? (from, high) : (low, to);
+            }
+
+            return values[rank];
         }
+
+        private static void Swap(float[] values, int a, int b) => (values[a], values[b]) = (values[b], values[a]);
 
         private struct Edge
         {

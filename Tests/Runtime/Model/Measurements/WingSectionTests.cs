@@ -100,6 +100,25 @@ namespace Alate.Tests
         }
 
         [Test]
+        public void Percentile_IsThatOfTheSortedValues_WhateverTheirOrder()
+        {
+            var random = new Unity.Mathematics.Random(7);
+            for (int round = 0; round < 200; round++)
+            {
+                float[] values = new float[random.NextInt(1, 40)];
+                for (int k = 0; k < values.Length; k++)
+                    values[k] = random.NextInt(12) == 0 ? float.NaN : random.NextInt(-9, 10);
+                float[] sorted = (float[])values.Clone();
+                Array.Sort(sorted);
+                for (int rank = 0; rank < sorted.Length; rank++)
+                {
+                    float found = EdgeStretch.Percentile(values, (rank + 0.5f) / sorted.Length);
+                    Assert.That(found, Is.EqualTo(sorted[rank]), $"round {round}, rank {rank} of {sorted.Length}");
+                }
+            }
+        }
+
+        [Test]
         public void TheLeadingEdge_IsAUnitVector_AlsoBetweenSectionsInOnePlace()
         {
             var sheet = new Sheet();
