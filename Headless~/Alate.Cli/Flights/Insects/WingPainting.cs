@@ -26,6 +26,9 @@ internal static class WingPainting
         picture.SetPixels32(pixels);
         byte[] png = picture.EncodeToPNG();
         UnityEngine.Object.DestroyImmediate(picture);
-        return WingTexture.Of(png);
+        var fromAbove = new Color32[pixels.Length];
+        for (int row = 0; row < height; row++)
+            pixels.AsSpan((height - 1 - row) * k_Width, k_Width).CopyTo(fromAbove.AsSpan(row * k_Width));
+        return new WingTexture(png, k_Width, height, fromAbove);
     }
 }

@@ -2,6 +2,7 @@ using System;
 using System.Buffers.Binary;
 using System.IO;
 using System.IO.Compression;
+using System.Numerics;
 using System.Runtime.InteropServices;
 using UnityEngine;
 
@@ -65,8 +66,24 @@ internal static class PngWriter
     private static int Filter(byte filter, ReadOnlySpan<byte> line, ReadOnlySpan<byte> above, Span<byte> filtered)
     {
         ReadOnlySpan<byte> here = line[4..], left = line[..^4], up = above[4..], corner = above[..^4];
-        int sum = 0;
-        for (int k = 0; k < filtered.Length; k++)
+        int sum = 0, k = 0;
+        for (; k + Vector<byte>.Count <= filtered.Length; k += Vector<byte>.Count)
+        {
+            Vector<byte> a = new(left[k..]), b = new(up[k..]), c = new(corner[k..]);
+            Vector<byte> difference = new Vector<byte>(here[k..]) - filter switch
+            {
+                0 => default,
+                1 => a,
+                2 => b,
+                3 => (a & b) + ((a ^ b) >>> 1),
+                _ => Paeth(a, b, c),
+            };
+            difference.CopyTo(filtered[k..]);
+            Vector.Widen(Vector.Min(difference, Vector<byte>.Zero - difference), out Vector<ushort> low, out Vector<ushort> high);
+            sum += Vector.Sum(low + high);
+        }
+
+        for (; k < filtered.Length; k++)
         {
             int predicted = filter switch
             {
@@ -88,6 +105,23 @@ internal static class PngWriter
     {
         int toLeft = Math.Abs(above - corner), toAbove = Math.Abs(left - corner), toCorner = Math.Abs(left + above - 2 * corner);
         return toLeft <= toAbove && toLeft <= toCorner ? left : toAbove <= toCorner ? above : corner;
+    }
+
+    private static Vector<byte> Paeth(Vector<byte> left, Vector<byte> above, Vector<byte> corner)
+    {
+        Vector.Widen(left, out Vector<ushort> leftLow, out Vector<ushort> leftHigh);
+        Vector.Widen(above, out Vector<ushort> aboveLow, out Vector<ushort> aboveHigh);
+        Vector.Widen(corner, out Vector<ushort> cornerLow, out Vector<ushort> cornerHigh);
+        return Vector.Narrow(Paeth(leftLow, aboveLow, cornerLow), Paeth(leftHigh, aboveHigh, cornerHigh));
+    }
+
+    private static Vector<ushort> Paeth(Vector<ushort> left, Vector<ushort> above, Vector<ushort> corner)
+    {
+        Vector<short> a = Vector.AsVectorInt16(left), b = Vector.AsVectorInt16(above), c = Vector.AsVectorInt16(corner);
+        Vector<short> toLeft = Vector.Abs(b - c), toAbove = Vector.Abs(a - c), toCorner = Vector.Abs(a + b - c - c);
+        Vector<short> isLeft = Vector.LessThanOrEqual(toLeft, toAbove) & Vector.LessThanOrEqual(toLeft, toCorner);
+        var rest = Vector.ConditionalSelect(Vector.LessThanOrEqual(toAbove, toCorner), b, c);
+        return Vector.AsVectorUInt16(Vector.ConditionalSelect(isLeft, a, rest));
     }
 
     private static void WriteChunk(MemoryStream file, string name, byte[] content)
