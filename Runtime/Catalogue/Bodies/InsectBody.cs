@@ -29,6 +29,9 @@ namespace Alate.Catalogue
             m_Millimetres = new Lazy<SurfaceMesh>(millimetres);
         }
 
+        /// <summary>The picture of its colours that was painted last.</summary>
+        internal KeptPicture Picture { get; } = new KeptPicture();
+
         /// <summary>The body in another size.</summary>
         internal InsectBody Scaled(float factor) => factor == 1f
             ? this

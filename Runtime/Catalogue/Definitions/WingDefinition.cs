@@ -17,6 +17,7 @@ namespace Alate.Catalogue
         private readonly List<InsectVariant> m_Variants = new List<InsectVariant> { InsectVariant.Standard };
         private readonly List<Action<WingPreset>> m_Changes = new List<Action<WingPreset>>();
         private readonly MeshedWing m_Shape;
+        private MadeSurface m_Made;
 
         /// <param name="name">What the wing is called.</param>
         /// <param name="outline">The measured outline.</param>
@@ -104,6 +105,9 @@ namespace Alate.Catalogue
         /// <summary>The colouring; null leaves the mesh without vertex colours.</summary>
         public WingPattern Pattern { get; internal set; }
 
+        /// <summary>The picture of the pattern that was painted last.</summary>
+        internal KeptPicture Painted { get; } = new KeptPicture();
+
         /// <summary>A picture for the texture coordinates of the mesh, a PNG file; null for none.</summary>
         internal byte[] Picture { get; set; }
 
@@ -164,13 +168,10 @@ namespace Alate.Catalogue
                 return side == WingSide.Right ? own : own.Mirrored();
             }
 
-            SurfaceMesh surface = IsFilled
-                ? WingMesher.Fill(Contour, Scallops, TriangleCount, scale)
-                : WingMesher.Strips(Contour, TriangleCount, scale);
-            double spacing = Math.Sqrt(2 * Contour.Area / TriangleCount);
-            surface.name = Name;
-            surface.colours = Pattern?.ColourVertices(surface, scale, spacing);
-            return side == WingSide.Right ? surface : surface.Mirrored();
+            MadeSurface made = m_Made;
+            if (made == null || !made.Is(this, scale))
+                m_Made = made = new MadeSurface(this, scale);
+            return side == WingSide.Right ? made.Copy() : made.Surface.Mirrored();
         }
 
         /// <summary>The wing's skeleton in the space of <see cref="CreateSurface"/>.</summary>

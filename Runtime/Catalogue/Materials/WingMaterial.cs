@@ -65,7 +65,7 @@ namespace Alate.Catalogue
             double longer = Math.Max(depth, 1);
             int width = Math.Max(1, (int)Math.Round(textureSize / longer));
             int height = Math.Max(1, (int)Math.Round(textureSize * depth / longer));
-            Color32[] pixels = wing.Pattern.Paint(outline, width, height);
+            Color32[] pixels = wing.Painted.Get(wing.Pattern, width, height, () => wing.Pattern.Paint(outline, width, height));
             return Create(
                 shader, wing.Name, new SurfaceLook(ToTexture(wing.Name, pixels, width, height, keepPixels), true, HasClearPixels(pixels)));
         }
@@ -88,9 +88,14 @@ namespace Alate.Catalogue
             Shader shader = RequireShader();
             SurfaceMesh body = species.Body.CreateSurface(InsectDefinition.UnitsPerMetre);
             string name = species.DisplayName + " body";
-            Texture2D texture = ShowsVertexColours(shader)
-                ? null
-                : ToTexture(name, ColourTexture.Paint(body, textureSize), textureSize, textureSize, keepPixels);
+            Texture2D texture = null;
+            if (!ShowsVertexColours(shader))
+            {
+                Color32[] pixels = species.Body.Picture.Get(
+                    species.Body, textureSize, textureSize, () => ColourTexture.Paint(body, textureSize));
+                texture = ToTexture(name, pixels, textureSize, textureSize, keepPixels);
+            }
+
             return Create(shader, name, new SurfaceLook(texture, false, HasClearPixels(body.colours)));
         }
 

@@ -48,6 +48,39 @@ namespace Alate.Tests
             Assert.That(definition.TriangleCount, Is.EqualTo(triangles));
         }
 
+        // What was meshed for one insect is kept for the next.
+        [Test]
+        public void AWing_IsMeshedAsItsNumbersSayNow_InArraysOfItsOwn()
+        {
+            WingDefinition model = InsectCatalogue.Find("dragonfly").Wings[0], other = InsectCatalogue.Find("monarch").Wings[0];
+            var wing = new WingDefinition("copy", model, model.Length, null);
+            SurfaceMesh first = wing.CreateSurface(WingSide.Right), second = wing.CreateSurface(WingSide.Right);
+            Assert.That(second.positions, Is.EqualTo(first.positions).And.Not.SameAs(first.positions));
+            Assert.That(second.colours, Is.EqualTo(first.colours).And.Not.SameAs(first.colours));
+            first.positions[0] = second.normals[0] = new Vector3(9f, 9f, 9f);
+            first.triangles[0] = first.triangles[1];
+            second.uvs[0] = new Vector2(9f, 9f);
+            SurfaceMesh third = wing.CreateSurface(WingSide.Right);
+            Assert.That((third.positions[0], third.uvs[0]), Is.EqualTo((second.positions[0], first.uvs[0])));
+            Assert.That((third.normals[0], third.triangles), Is.EqualTo((first.normals[0], second.triangles)));
+
+            Assert.That(wing.CreateSurface(WingSide.Right, 20f).positions[0], Is.EqualTo(2f * third.positions[0]));
+            Assert.That(wing.CreateSurface(WingSide.Left, 20f).positions[9], Is.EqualTo(Mirrored(2f * third.positions[9])));
+            wing.TriangleCount = 200;
+            Assert.That(wing.CreateSurface(WingSide.Right, 20f).TriangleCount, Is.EqualTo(200));
+            Color32[] before = wing.CreateSurface(WingSide.Right).colours;
+            wing.Pattern = other.Pattern;
+            Assert.That(wing.CreateSurface(WingSide.Right).colours, Is.Not.EqualTo(before));
+            Vector3[] smooth = wing.CreateSurface(WingSide.Right).positions;
+            wing.Scallops = InsectCatalogue.Find("snailfish").Wings[0].Scallops;
+            Assert.That(wing.CreateSurface(WingSide.Right).positions, Is.Not.EqualTo(smooth));
+            wing.IsFilled = false;
+            SurfaceMesh strips = WingMesher.Strips(wing.Contour, 200, (float)wing.Length * InsectDefinition.UnitsPerMetre);
+            Assert.That(wing.CreateSurface(WingSide.Right).positions, Is.EqualTo(strips.positions));
+        }
+
+        private static Vector3 Mirrored(Vector3 place) => new Vector3(-place.x, place.y, place.z);
+
         [TestCaseSource(nameof(All))]
         public void EachSpecies_SaysWhereItsNumbersComeFrom(InsectDefinition species)
         {

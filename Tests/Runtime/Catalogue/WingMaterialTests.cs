@@ -46,6 +46,28 @@ namespace Alate.Tests
             Assert.That(found, Is.SameAs(lit));
         }
 
+        [Test]
+        public void APicture_IsKept_UntilAnotherDrawingOrSizeIsAskedFor()
+        {
+            var picture = new KeptPicture();
+            object drawing = new object(), other = new object();
+            int painted = 0;
+            Color32[] Get(object of, int width, int height) => picture.Get(of, width, height, () =>
+            {
+                painted++;
+                return new Color32[width * height];
+            });
+            Color32[] first = Get(drawing, 4, 2);
+
+            Assert.That(Get(drawing, 4, 2), Is.SameAs(first));
+            Assert.That(painted, Is.EqualTo(1));
+            Assert.That(Get(drawing, 3, 2), Has.Length.EqualTo(6));
+            Assert.That(Get(drawing, 3, 5), Has.Length.EqualTo(15));
+            Get(other, 3, 5);
+            Assert.That(painted, Is.EqualTo(4));
+            GC.KeepAlive(first);
+        }
+
         [TestCaseSource(nameof(All))]
         public void EachWingAndBody_GetsAMaterial_OfTheShaderForThisPipeline(InsectDefinition species)
         {
