@@ -61,7 +61,13 @@ namespace Alate.Crowds
         {
             if (bake == null)
                 throw new ArgumentNullException(nameof(bake));
-            var parts = new BakedInsectParts(bake, triangles ?? DefaultTriangles, maxTextureSize);
+            return Create(bake, ReducedSurface.Of(bake, triangles ?? DefaultTriangles), maxTextureSize);
+        }
+
+        /// <summary>Makes texture, meshes and materials of a bake whose smaller meshes are known.</summary>
+        internal static BakedInsect Create(InsectBake bake, ReducedSurface[] reduced, int maxTextureSize = BakeLayout.DefaultMaxSize)
+        {
+            var parts = new BakedInsectParts(bake, reduced, maxTextureSize);
             BakedInsect made = CreateInstance<BakedInsect>();
             made.name = bake.Name + " Baked";
             made.m_Texture = parts.Texture;

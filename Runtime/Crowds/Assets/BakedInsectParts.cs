@@ -23,10 +23,9 @@ namespace Alate.Crowds
         private readonly Dictionary<int, int> m_ColumnOf = new Dictionary<int, int>();
 
         /// <exception cref="BakeException">The texture would be too large, or a shader cannot show baked wings.</exception>
-        public BakedInsectParts(InsectBake bake, IReadOnlyList<int> triangles, int maxTextureSize)
+        public BakedInsectParts(InsectBake bake, ReducedSurface[] reduced, int maxTextureSize)
         {
             m_Bake = bake;
-            ReducedSurface[] reduced = ReducedSurface.Of(bake, triangles);
             m_Layout = BakeLayout.Fit(reduced[0].Vertices.Length, bake.FrameCount, maxTextureSize, true);
             foreach (int vertex in reduced[0].Vertices)
                 m_ColumnOf.Add(vertex, m_ColumnOf.Count);

@@ -80,10 +80,10 @@ namespace Alate.Crowds
             long count = 0;
             foreach (BakedWing wing in bake.Wings)
             {
-                List<int3> triangles = TrianglesOf(wing, parts);
+                List<RestTriangle> triangles = TrianglesOf(bake.Surface, wing, parts);
                 foreach (int vertex in wing.Vertices)
                 {
-                    (int3 corners, float3 shares) = Nearest(bake.Surface, triangles, bake.Surface.Positions[vertex]);
+                    (int3 corners, float3 shares) = Nearest(triangles, bake.Surface.Positions[vertex]);
                     foreach (BakedClip clip in bake.Clips)
                     {
                         for (int frame = 0; frame < clip.Frames.Count; frame += k_Stride)
@@ -100,16 +100,16 @@ namespace Alate.Crowds
             return (float)Math.Sqrt(sum / Math.Max(count, 1));
         }
 
-        private static List<int3> TrianglesOf(BakedWing wing, int[][] parts)
+        private static List<RestTriangle> TrianglesOf(BakedSurface surface, BakedWing wing, int[][] parts)
         {
             var vertices = new HashSet<int>(wing.Vertices);
-            var triangles = new List<int3>();
+            var triangles = new List<RestTriangle>();
             foreach (int[] part in parts)
             {
                 for (int k = 0; k < part.Length; k += 3)
                 {
                     if (vertices.Contains(part[k]))
-                        triangles.Add(new int3(part[k], part[k + 1], part[k + 2]));
+                        triangles.Add(new RestTriangle(surface, new int3(part[k], part[k + 1], part[k + 2])));
                 }
             }
 
@@ -117,17 +117,18 @@ namespace Alate.Crowds
         }
 
         // The place on the triangles that is nearest to a point at rest, by its shares in the corners.
-        private static (int3 Corners, float3 Shares) Nearest(BakedSurface surface, List<int3> triangles, float3 point)
+        private static (int3 Corners, float3 Shares) Nearest(List<RestTriangle> triangles, float3 point)
         {
             (int3 Corners, float3 Shares) nearest = (Corners: int3.zero, Shares: float3.zero);
             float least = float.PositiveInfinity;
-            foreach (int3 triangle in triangles)
+            foreach (RestTriangle triangle in triangles)
             {
-                float3 a = surface.Positions[triangle.x], b = surface.Positions[triangle.y], c = surface.Positions[triangle.z];
-                float3 shares = NearestShares(point, a, b, c);
-                float distance = math.distancesq(point, shares.x * a + shares.y * b + shares.z * c);
+                if (triangle.IsBeyond(point, least))
+                    continue;
+                float3 shares = NearestShares(point, triangle.a, triangle.b, triangle.c);
+                float distance = math.distancesq(point, shares.x * triangle.a + shares.y * triangle.b + shares.z * triangle.c);
                 if (distance < least)
-                    (least, nearest) = (distance, (triangle, shares));
+                    (least, nearest) = (distance, (triangle.corners, shares));
             }
 
             return nearest;
@@ -159,5 +160,29 @@ namespace Alate.Crowds
 
         private static float Away(float3 point, float3 shares, float3 a, float3 b, float3 c) =>
             math.distancesq(point, shares.x * a + shares.y * b + shares.z * c);
+
+        private readonly struct RestTriangle
+        {
+            /// <summary>Share of a distance that rounding cannot make up for.</summary>
+            private const float k_Surely = 0.9999f;
+
+            public readonly int3 corners;
+            public readonly float3 a, b, c;
+            private readonly float m_Radius;
+
+            public RestTriangle(BakedSurface surface, int3 corners)
+            {
+                this.corners = corners;
+                (a, b, c) = (surface.Positions[corners.x], surface.Positions[corners.y], surface.Positions[corners.z]);
+                m_Radius = math.sqrt(math.max(math.distancesq(a, b), math.distancesq(a, c)));
+            }
+
+            /// <summary>Returns true where all of it is farther from a point than the root of a number.</summary>
+            public bool IsBeyond(float3 point, float squared)
+            {
+                float gap = k_Surely * math.distance(point, a) - m_Radius;
+                return gap > 0f && k_Surely * gap * gap > squared;
+            }
+        }
     }
 }

@@ -27,9 +27,9 @@ namespace Alate.Crowds
         private readonly (double Cost, int To)[] m_Best;
         private readonly SortedSet<(double Cost, int Vertex)> m_Queue = new SortedSet<(double, int)>();
 
-        // Of the vertex that moves, of the one it moves onto, and of both after a move; [vertex] the last search that met it.
+        // Of the vertex that moves, the one it moves onto, both after a move; [vertex] the last search that met it, triangles it shares.
         private readonly List<int> m_Neighbours = new List<int>(), m_Others = new List<int>(), m_Touched = new List<int>();
-        private readonly int[] m_Met;
+        private readonly int[] m_Met, m_Shared;
         private int m_Search;
 
         // Of the vertex that moves: whether it is on a margin, and the areas of its triangles as they are.
@@ -42,13 +42,12 @@ namespace Alate.Crowds
         public TriangleReducer(BakedSurface surface)
         {
             m_Places = Array.ConvertAll(surface.Positions, place => (float3)place);
-            m_Around = new List<int>[m_Places.Length];
+            m_Around = Array.ConvertAll(m_Places, _ => new List<int>());
             m_Quadrics = new Quadric[m_Places.Length];
             m_Locked = Doubles(m_Places);
             m_Best = new (double, int)[m_Places.Length];
             m_Met = new int[m_Places.Length];
-            for (int vertex = 0; vertex < m_Around.Length; vertex++)
-                m_Around[vertex] = new List<int>();
+            m_Shared = new int[m_Places.Length];
             for (int part = 0; part < surface.Parts.Count; part++)
                 AddPart(surface.Parts[part].Triangles, part);
             m_Count = m_Triangles.Count;
@@ -102,15 +101,12 @@ namespace Alate.Crowds
         /// <summary>[part] Corners of the triangles that remain.</summary>
         public int[][] Parts(int count)
         {
-            var parts = new List<int>[count];
-            for (int part = 0; part < count; part++)
-                parts[part] = new List<int>();
+            List<int>[] parts = Array.ConvertAll(new int[count], _ => new List<int>());
             for (int triangle = 0; triangle < m_Triangles.Count; triangle++)
             {
-                if (!m_Alive[triangle])
-                    continue;
                 int3 corners = m_Triangles[triangle];
-                parts[m_Parts[triangle]].AddRange(new[] { corners.x, corners.y, corners.z });
+                if (m_Alive[triangle])
+                    parts[m_Parts[triangle]].AddRange(new[] { corners.x, corners.y, corners.z });
             }
 
             return Array.ConvertAll(parts, part => part.ToArray());
@@ -220,13 +216,22 @@ namespace Alate.Crowds
         // What a vertex that is to move has around it.
         private void Examine(int vertex)
         {
+            foreach (int neighbour in m_Neighbours)
+                m_Shared[neighbour] = 0;
             FindNeighbours(vertex, m_Neighbours);
+            m_Areas.Clear();
+            foreach (int index in m_Around[vertex])
+            {
+                int3 triangle = m_Triangles[index];
+                for (int c = 0; c < 3; c++)
+                    m_Shared[triangle[c]]++;
+                m_Areas.Add(Area(triangle));
+            }
+
             m_OnMargin = false;
             foreach (int neighbour in m_Neighbours)
-                m_OnMargin |= Shared(vertex, neighbour) == 1;
-            m_Areas.Clear();
-            foreach (int triangle in m_Around[vertex])
-                m_Areas.Add(Area(m_Triangles[triangle]));
+                m_OnMargin |= m_Shared[neighbour] == 1;
+            m_Shared[vertex] = 0;
         }
 
         private void Unlist(int vertex) => m_Queue.Remove((m_Best[vertex].Cost, vertex));
@@ -255,7 +260,7 @@ namespace Alate.Crowds
         // The vertex has been examined.
         private bool CanMove(int vertex, int to)
         {
-            int shared = Shared(vertex, to);
+            int shared = m_Shared[to];
             if (shared == 0 || shared > 2 || (m_OnMargin && shared != 1))
                 return false;
             FindNeighbours(to, m_Others);

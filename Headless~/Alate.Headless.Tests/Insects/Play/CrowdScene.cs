@@ -16,8 +16,8 @@ namespace Alate.Tests.Play.Headless
         /// <summary>Triangles of the meshes: fewer than those of a game, which take longer to make.</summary>
         public static readonly int[] Triangles = [400, 130, 50];
 
-        /// <summary>By insect and clips: frames are numbers, and the same for every scene.</summary>
-        private static readonly Dictionary<string, InsectBake> s_Flown = [];
+        /// <summary>By insect and clips: frames and smaller meshes are numbers, and the same for every scene.</summary>
+        private static readonly Dictionary<string, (InsectBake Bake, ReducedSurface[] Reduced)> s_Flown = [];
 
         private readonly List<Object> m_Made = new List<Object>();
 
@@ -40,8 +40,8 @@ namespace Alate.Tests.Play.Headless
             if (variant == InsectVariant.Flight)
                 CatalogueFlight.AddTo(Prefab, InsectCatalogue.Find(species));
             Prefab.transform.position = new Vector3(0f, 0f, -100f);
-            Bake = BakeOf(Prefab, $"{species} {variant} {string.Join(' ', clips)}", clips);
-            Baked = BakedInsect.Create(Bake, Triangles);
+            (Bake, ReducedSurface[] reduced) = BakeOf(Prefab, $"{species} {variant} {string.Join(' ', clips)}", clips);
+            Baked = BakedInsect.Create(Bake, reduced);
             Prefab.gameObject.SetActive(false);
             var eye = new GameObject("eye");
             Camera = eye.AddComponent<Camera>();
@@ -92,12 +92,16 @@ namespace Alate.Tests.Play.Headless
         }
 
         // The frames that an earlier scene flew, on the surface of this one, whose materials live as long as its insect.
-        private static InsectBake BakeOf(InsectWings insect, string key, string[] clips)
+        private static (InsectBake Bake, ReducedSurface[] Reduced) BakeOf(InsectWings insect, string key, string[] clips)
         {
-            if (!s_Flown.TryGetValue(key, out InsectBake flown))
-                return s_Flown[key] = InsectBaker.Bake(insect, Array.ConvertAll(clips, BakeMotion.Find), BakeSettings.Default);
+            if (!s_Flown.TryGetValue(key, out (InsectBake Bake, ReducedSurface[] Reduced) known))
+            {
+                InsectBake first = InsectBaker.Bake(insect, Array.ConvertAll(clips, BakeMotion.Find), BakeSettings.Default);
+                return s_Flown[key] = (first, ReducedSurface.Of(first, Triangles));
+            }
+
             using var drawn = new DrawnInsect(insect);
-            return new InsectBake
+            InsectBake flown = known.Bake, bake = new()
             {
                 Name = insect.name,
                 Surface = drawn.Surface(),
@@ -107,6 +111,7 @@ namespace Alate.Tests.Play.Headless
                 WingLength = flown.WingLength,
                 JointCount = flown.JointCount,
             };
+            return (bake, known.Reduced);
         }
 
         public void Clear()
