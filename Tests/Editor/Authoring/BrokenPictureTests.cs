@@ -14,19 +14,19 @@ namespace Alate.Editor.Tests
         [TestCase(0)]
         [TestCase(128)]
         public void PictureOfOneShade_HasNoWing(byte shade) =>
-            AssertRefused(new DrawnPicture(300, 300, new Color32(shade, shade, shade, 255)), "No wing", "stands out");
+            AssertRefused(new DrawnPicture(200, 200, new Color32(shade, shade, shade, 255)), "No wing", "stands out");
 
         [Test]
         public void TransparentPicture_HasNoWing() =>
-            AssertRefused(new DrawnPicture(300, 300, new Color32(0, 0, 0, 0)), "No wing", "stands out");
+            AssertRefused(new DrawnPicture(200, 200, new Color32(0, 0, 0, 0)), "No wing", "stands out");
 
         [Test]
         public void Noise_HasNoWing() =>
-            AssertRefused(new DrawnPicture(300, 300, new Color32(128, 128, 128, 255)).Noise(60f, 5), "No wing");
+            AssertRefused(new DrawnPicture(200, 200, new Color32(128, 128, 128, 255)).Noise(60f, 5), "No wing");
 
         [Test]
         public void Gradient_HasNoWing() =>
-            AssertRefused(new DrawnPicture(300, 300, s_White).Shade((x, y) => -150f * x - 60f * y * y), "No wing", "stands out");
+            AssertRefused(new DrawnPicture(200, 200, s_White).Shade((x, y) => -150f * x - 60f * y * y), "No wing", "stands out");
 
         [Test]
         public void Specks_HaveNoWing() => AssertRefused(
@@ -41,10 +41,10 @@ namespace Alate.Editor.Tests
         [Test]
         public void TwoWings_AreTooMany()
         {
-            Vector2[] wing = DrawnWing.Monarch().In(400, 0f, false, 0.4f).Outline;
-            DrawnPicture picture = new DrawnPicture(400, 400, s_White)
-                .Fill(Array.ConvertAll(wing, p => p + new Vector2(-90f, 0f)), s_Black)
-                .Fill(Array.ConvertAll(wing, p => p + new Vector2(100f, 20f)), s_Black);
+            Vector2[] wing = DrawnWing.Monarch().In(300, 0f, false, 0.4f).Outline;
+            DrawnPicture picture = new DrawnPicture(300, 300, s_White)
+                .Fill(Array.ConvertAll(wing, p => p + new Vector2(-68f, 0f)), s_Black)
+                .Fill(Array.ConvertAll(wing, p => p + new Vector2(75f, 15f)), s_Black);
 
             AssertRefused(picture, "2 wings", "one wing");
         }
@@ -52,10 +52,10 @@ namespace Alate.Editor.Tests
         [Test]
         public void FourWings_AreCounted()
         {
-            Vector2[] wing = DrawnWing.Fan().In(600, 0f, false, 0.3f).Outline;
-            var picture = new DrawnPicture(600, 600, s_White);
+            Vector2[] wing = DrawnWing.Fan().In(360, 0f, false, 0.3f).Outline;
+            var picture = new DrawnPicture(360, 360, s_White);
             foreach (Vector2 shift
-                in new[] { new Vector2(-150, -150), new Vector2(150, -150), new Vector2(-150, 150), new Vector2(150, 150) })
+                in new[] { new Vector2(-90, -90), new Vector2(90, -90), new Vector2(-90, 90), new Vector2(90, 90) })
             {
                 picture.Fill(Array.ConvertAll(wing, p => p + shift), s_Black);
             }
@@ -65,7 +65,7 @@ namespace Alate.Editor.Tests
 
         [Test]
         public void CheckerBoard_HasNoPlainGround() =>
-            AssertRefused(new DrawnPicture(320, 320, s_White).Shade((x, y) => ((int)(x * 8) + (int)(y * 8)) % 2 * -200f), "No wing");
+            AssertRefused(new DrawnPicture(200, 200, s_White).Shade((x, y) => ((int)(x * 8) + (int)(y * 8)) % 2 * -200f), "No wing");
 
         [TestCase(31, 300)]
         [TestCase(300, 31)]

@@ -39,12 +39,14 @@ namespace Alate.Editor.Tests
         {
             float[] cover = new float[width];
             var crossings = new List<float>();
+            var sides = new List<(Vector2, Vector2)>();
             for (int row = 0; row < height; row++)
             {
                 Array.Clear(cover, 0, width);
+                FindSides(polygon, row, sides);
                 for (int line = 0; line < k_Lines; line++)
                 {
-                    Cross(polygon, row + (line + 0.5f) / k_Lines, crossings);
+                    Cross(sides, row + (line + 0.5f) / k_Lines, crossings);
                     for (int k = 0; k + 1 < crossings.Count; k += 2)
                         Cover(cover, crossings[k], crossings[k + 1], 1f / k_Lines);
                 }
@@ -102,12 +104,23 @@ namespace Alate.Editor.Tests
             return pixels;
         }
 
-        private static void Cross(IReadOnlyList<Vector2> polygon, float y, List<float> crossings)
+        // Sides of a polygon that reach into a row.
+        private static void FindSides(IReadOnlyList<Vector2> polygon, int row, List<(Vector2, Vector2)> sides)
         {
-            crossings.Clear();
+            sides.Clear();
             for (int k = 0, before = polygon.Count - 1; k < polygon.Count; before = k++)
             {
                 Vector2 a = polygon[before], b = polygon[k];
+                if (Math.Max(a.y, b.y) >= row && Math.Min(a.y, b.y) <= row + 1)
+                    sides.Add((a, b));
+            }
+        }
+
+        private static void Cross(List<(Vector2, Vector2)> sides, float y, List<float> crossings)
+        {
+            crossings.Clear();
+            foreach ((Vector2 a, Vector2 b) in sides)
+            {
                 if (a.y > y != b.y > y)
                     crossings.Add(a.x + (y - a.y) / (b.y - a.y) * (b.x - a.x));
             }

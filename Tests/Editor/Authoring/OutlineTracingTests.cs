@@ -51,7 +51,7 @@ namespace Alate.Editor.Tests
         [Test]
         public void OutlineOfASilhouette_IsFoundWithinATenthOfAPixelOfItsArea()
         {
-            WingPlace place = DrawnWing.Monarch().In(600);
+            WingPlace place = DrawnWing.Monarch().In(300);
 
             PlanPoint[] outline = Trace(place.Draw(DrawnKind.Silhouette));
 
@@ -105,7 +105,7 @@ namespace Alate.Editor.Tests
         [Test]
         public void OutlineDrawnWithGaps_IsClosed()
         {
-            WingPlace place = DrawnWing.Monarch().In(600);
+            WingPlace place = DrawnWing.Monarch().In(400);
             DrawnPicture picture = place.Draw(DrawnKind.Drawing);
             var white = new UnityEngine.Color32(255, 255, 255, 255);
             foreach (int at in new[] { 100, 300, 500, 700 })
@@ -145,9 +145,9 @@ namespace Alate.Editor.Tests
         [Test]
         public void LineAroundThePicture_IsPassedOver()
         {
-            WingPlace place = DrawnWing.Scalloped().In(500);
+            WingPlace place = DrawnWing.Scalloped().In(320);
             var black = new UnityEngine.Color32(0, 0, 0, 255);
-            Vector2[] frame = new[] { V(1, 1), V(499, 1), V(499, 499), V(1, 499), V(1, 1) };
+            Vector2[] frame = new[] { V(1, 1), V(319, 1), V(319, 319), V(1, 319), V(1, 1) };
 
             PlanPoint[] outline = Trace(place.Draw(DrawnKind.Drawing).Stroke(frame, 1.5f, black));
 

@@ -141,7 +141,7 @@ namespace Alate.Editor.Tests
         {
             DrawnWing wing = Array.Find(s_Wings, one => one.Name == name);
 
-            WingTrace trace = WingTracer.Trace(wing.In(500, 10f).Draw(kind).ToPicture(), WingTracingSettings.Default);
+            WingTrace trace = WingTracer.Trace(wing.In(320, 10f).Draw(kind).ToPicture(), WingTracingSettings.Default);
 
             Assert.That(trace.Veins, Is.Empty);
             Assert.That(trace.FollowsVein, Is.All.False);

@@ -9,6 +9,9 @@ namespace Alate.Editor.Tests
 {
     public sealed class WingTracerTests
     {
+        /// <summary>Pixels of a picture's side.</summary>
+        private const float k_Side = 240f;
+
         [TestCase(false, 0f, Explicit = true, Category = "Long")]
         [TestCase(false, 25f)]
         [TestCase(true, 0f)]
@@ -51,8 +54,8 @@ namespace Alate.Editor.Tests
             for (int k = 0; k < trace.Surface.VertexCount; k++)
             {
                 Vector2 place = trace.Placement.ToPicture(trace.Surface.positions[k]), uv = trace.Surface.uvs[k];
-                Assert.That(uv.x, Is.EqualTo(place.x / 400f).Within(1e-4));
-                Assert.That(uv.y, Is.EqualTo(1f - place.y / 400f).Within(1e-4));
+                Assert.That(uv.x, Is.EqualTo(place.x / k_Side).Within(1e-4));
+                Assert.That(uv.y, Is.EqualTo(1f - place.y / k_Side).Within(1e-4));
             }
         }
 
@@ -171,7 +174,7 @@ namespace Alate.Editor.Tests
         [Test]
         public void SamePicture_GivesTheSameSkeleton()
         {
-            WingPicture picture = new DrawnVeinPicture(DrawnWing.Monarch(), 300, 6, VeinLook.Photo).Picture.ToPicture();
+            WingPicture picture = new DrawnVeinPicture(DrawnWing.Monarch(), 200, 6, VeinLook.Photo).Picture.ToPicture();
 
             string one = SkeletonJson.Write(WingTracer.Trace(picture, WingTracingSettings.Default).Skeleton);
 
@@ -180,7 +183,7 @@ namespace Alate.Editor.Tests
 
         private static WingTrace Trace(DrawnWing wing, bool isLeft = false, float degrees = 0f)
         {
-            WingPlace place = wing.In(400, degrees, isLeft);
+            WingPlace place = wing.In((int)k_Side, degrees, isLeft);
             WingTracingSettings settings = WingTracingSettings.Default;
             settings.length = 2f;
             settings.hinge = place.At(Vector2.zero);
