@@ -57,7 +57,7 @@ namespace Alate.Tests.Bakes
             using var run = new CommandRun();
             string mesh = run.Write("wing.obj", OwnWing.Obj(side: side)), skeleton = run.Write("wing.json", OwnWing.Skeleton(side));
 
-            Assert.That(run.Run("bake", "--mesh", mesh, "--skeleton", skeleton, "--species", "monarch", "--frames", "12", "--out", run.Out),
+            Assert.That(run.Run("bake", "--mesh", mesh, "--skeleton", skeleton, "--species", "monarch", "--frames", "6", "--out", run.Out),
                 Is.Zero, run.Errors);
             var vat = new VatReader(Path.Combine(run.Out, "wing_vat"), "wing");
             float3[] shown = vat.At(5).Positions;
@@ -102,7 +102,7 @@ namespace Alate.Tests.Bakes
         {
             using var run = new CommandRun();
 
-            Assert.That(run.Run("bake", "monarch", "--clips", "cruise,rest", "--frames", "12", "--out", run.Out), Is.Zero, run.Errors);
+            Assert.That(run.Run("bake", "fishfly", "--clips", "cruise,rest", "--frames", "4", "--out", run.Out), Is.Zero, run.Errors);
             Assert.That(run.Output, Does.Contain("between frames").And.Contain("linear skin"));
             Assert.That(run.Output.Split('\n').Count(line => line.Contains("cruise") || line.Contains("rest")), Is.GreaterThanOrEqualTo(2));
         }

@@ -54,7 +54,7 @@ namespace Alate.Tests.Cli
             foreach (string one in names)
             {
                 byte[][] bytes = folders.Select(folder => Bytes(Path.Combine(folder, one))).ToArray();
-                Assert.That(bytes[1], Is.EqualTo(bytes[0]), $"{name}, {word}: {one}");
+                Assert.That(bytes[1].AsSpan().SequenceEqual(bytes[0]), $"{name}, {word}: {one}");
             }
         }
 

@@ -13,6 +13,10 @@ namespace Alate.Tests.Cli
     /// <summary><c>insect new</c>: from pictures and a few numbers with their units to an insect that flies.</summary>
     public sealed class InsectNewTests
     {
+        private static readonly Lazy<byte[]>
+            s_Fore = new(() => PngOf.Picture(DrawnWing.Scalloped().In(200).Draw(DrawnKind.Silhouette))),
+            s_Hind = new(() => CameraPicture.WithExif(CameraPicture.Of("base"), CameraPicture.Exif(3, true)));
+
         private CommandRun m_Run;
         private string m_Fore, m_Hind;
 
@@ -22,8 +26,8 @@ namespace Alate.Tests.Cli
             m_Run = new CommandRun();
             m_Fore = Path.Combine(m_Run.Folder, "front.png");
             m_Hind = Path.Combine(m_Run.Folder, "back.jpg");
-            File.WriteAllBytes(m_Fore, PngOf.Picture(DrawnWing.Scalloped().In(200).Draw(DrawnKind.Silhouette)));
-            File.WriteAllBytes(m_Hind, CameraPicture.WithExif(CameraPicture.Of("base"), CameraPicture.Exif(3, true)));
+            File.WriteAllBytes(m_Fore, s_Fore.Value);
+            File.WriteAllBytes(m_Hind, s_Hind.Value);
         }
 
         [TearDown]

@@ -43,7 +43,7 @@ namespace Alate.Tests.Cli
             {
                 double[] numbers = m_File.Read(index);
                 JsonElement accessor = m_File.Accessor(index);
-                Assert.That(numbers, Is.All.InRange(-1e6, 1e6), $"accessor {index} is finite");
+                Assert.That(numbers.All(number => number is >= -1e6 and <= 1e6), $"accessor {index} is finite");
                 if (!accessor.TryGetProperty("min", out JsonElement min))
                     continue;
                 int components = min.GetArrayLength();

@@ -25,7 +25,7 @@ public sealed class BakeWindowTests
     public void Open()
     {
         ProjectShaders.Add(WingMaterial.ShaderName, "Alate/Wing");
-        m_Insect = InsectFactory.Create("firefly");
+        m_Insect = InsectFactory.Create("monarch");
         Selection.activeGameObject = m_Insect.gameObject;
         EditorMenu.Choose(k_Menu);
         m_Window = OpenWindows.All.Single();

@@ -22,7 +22,7 @@ public sealed class InsectBakingTests
     public void MakeAnInsect()
     {
         ProjectShaders.Add(WingMaterial.ShaderName, "Alate/Wing");
-        m_Insect = InsectFactory.Create("firefly");
+        m_Insect = InsectFactory.Create("monarch");
     }
 
     [TearDown]
@@ -30,8 +30,8 @@ public sealed class InsectBakingTests
     {
         m_Baking.Dispose();
         Object.DestroyImmediate(m_Insect.gameObject);
-        AssetDatabase.DeleteAsset("Assets/Firefly Baked.asset");
-        AssetDatabase.DeleteAsset("Assets/Firefly Baked 1.asset");
+        AssetDatabase.DeleteAsset("Assets/Monarch Baked.asset");
+        AssetDatabase.DeleteAsset("Assets/Monarch Baked 1.asset");
         ProjectShaders.Clear();
     }
 
@@ -79,7 +79,7 @@ public sealed class InsectBakingTests
     public void WhatIsDropped_LeavesNothing_AndCanBeDroppedAgain()
     {
         int before = Resources.FindObjectsOfTypeAll<Object>().Length;
-        m_Baking.Bake(m_Insect, ["rest"], 24);
+        m_Baking.Bake(m_Insect, ["rest"], 4);
         m_Baking.Dispose();
 
         Assert.That((m_Baking.Made, m_Baking.Preview, m_Baking.Problem, m_Baking.Clips.Length),
@@ -97,10 +97,10 @@ public sealed class InsectBakingTests
     [Test]
     public void ABakeThatIsStopped_MakesNothing_AndIsNoProblem()
     {
-        m_Baking.Bake(m_Insect, ["rest"], 24);
-        m_Baking.Bake(m_Insect, ["cruise"], 24, (_, _) => false);
+        m_Baking.Bake(m_Insect, ["rest"], 4);
+        m_Baking.Bake(m_Insect, ["cruise"], 8, (_, _) => false);
         Assert.That((m_Baking.Made == null, m_Baking.Preview == null, m_Baking.Problem), Is.EqualTo((true, true, default(string))));
-        Assert.That(m_Baking.Save("Assets/Firefly Baked.asset"), Is.Null);
+        Assert.That(m_Baking.Save("Assets/Monarch Baked.asset"), Is.Null);
         Assert.That(m_Baking.Problem, Is.Null);
     }
 
@@ -111,8 +111,8 @@ public sealed class InsectBakingTests
         try
         {
             EditorUtility.SetDirty(other);
-            m_Baking.Bake(m_Insect, ["rest"], 24);
-            BakedInsect saved = m_Baking.Save("Assets/Firefly Baked.asset");
+            m_Baking.Bake(m_Insect, ["rest"], 4);
+            BakedInsect saved = m_Baking.Save("Assets/Monarch Baked.asset");
 
             Assert.That((EditorUtility.IsDirty(other), EditorUtility.IsDirty(saved)), Is.EqualTo((true, false)));
             Assert.That(typeof(BakedInsect).IsDefined(typeof(PreferBinarySerialization), false), Is.True);
@@ -126,14 +126,14 @@ public sealed class InsectBakingTests
     [Test]
     public void Saved_OneAssetHoldsAllParts_AndNoneIsWrittenOver()
     {
-        const string k_Path = "Assets/Firefly Baked.asset";
-        m_Baking.Bake(m_Insect, ["rest"], 24);
+        const string k_Path = "Assets/Monarch Baked.asset";
+        m_Baking.Bake(m_Insect, ["rest"], 4);
         BakedInsect first = m_Baking.Save(k_Path);
-        m_Baking.Bake(m_Insect, ["rest"], 24);
+        m_Baking.Bake(m_Insect, ["rest"], 4);
         BakedInsect second = m_Baking.Save(k_Path);
 
         Assert.That(AssetDatabase.LoadAssetAtPath<BakedInsect>(k_Path), Is.SameAs(first));
-        Assert.That(AssetDatabase.GetAssetPath(second), Is.EqualTo("Assets/Firefly Baked 1.asset"));
+        Assert.That(AssetDatabase.GetAssetPath(second), Is.EqualTo("Assets/Monarch Baked 1.asset"));
         Assert.That(AssetDatabase.GetAssetPath(first.Texture), Is.EqualTo(k_Path));
         Assert.That(first.Sizes.Select(size => AssetDatabase.GetAssetPath(size.mesh)), Is.All.EqualTo(k_Path));
         Assert.That(first.Materials.Select(AssetDatabase.GetAssetPath), Is.All.EqualTo(k_Path));
@@ -144,7 +144,7 @@ public sealed class InsectBakingTests
     public void ThePreview_MovesWithinItsArea_AndEndsWhenTheAssetIsSaved()
     {
         var area = new Rect(10f, 20f, 300f, 180f);
-        m_Baking.Bake(m_Insect, ["cruise"], 24);
+        m_Baking.Bake(m_Insect, ["cruise"], 8);
         Vector3[][] Shown(float phase) => [.. m_Baking.Preview.Lines(area, 0, phase).Select(line => line.points)];
         Vector3[] top = [.. Shown(0f).SelectMany(line => line)], bottom = [.. Shown(0.5f).SelectMany(line => line)];
 
@@ -152,22 +152,22 @@ public sealed class InsectBakingTests
         Assert.That(top.Concat(bottom).All(point => area.Contains(point)), Is.True);
         Assert.That(top.Zip(bottom, (a, b) => (a - b).magnitude).Max(), Is.GreaterThan(20f), "pixels");
         Assert.That(Shown(1f)[0], Is.EqualTo(Shown(0f)[0]));
-        m_Baking.Save("Assets/Firefly Baked.asset");
+        m_Baking.Save("Assets/Monarch Baked.asset");
         Assert.That(m_Baking.Preview, Is.Null);
     }
 
     [Test]
     public void ThePrefab_HoldsACrowdOfTheAssetWithASpawner()
     {
-        m_Baking.Bake(m_Insect, ["rest"], 24);
-        BakedInsect saved = m_Baking.Save("Assets/Firefly Baked.asset");
+        m_Baking.Bake(m_Insect, ["rest"], 4);
+        BakedInsect saved = m_Baking.Save("Assets/Monarch Baked.asset");
         GameObject prefab = m_Baking.SavePrefab(saved, m_Insect);
 
-        Assert.That(AssetDatabase.GetAssetPath(prefab), Is.EqualTo("Assets/Firefly Baked Crowd.prefab"));
+        Assert.That(AssetDatabase.GetAssetPath(prefab), Is.EqualTo("Assets/Monarch Baked Crowd.prefab"));
         Assert.That(prefab.GetComponent<InsectCrowd>().Insect, Is.SameAs(saved));
         Assert.That(prefab.GetComponent<InsectCrowd>().LivePrefab, Is.Null, "an object of the scene cannot be in a prefab");
         Assert.That(prefab.TryGetComponent(out CrowdSpawner _), Is.True);
-        AssetDatabase.DeleteAsset("Assets/Firefly Baked Crowd.prefab");
+        AssetDatabase.DeleteAsset("Assets/Monarch Baked Crowd.prefab");
     }
 
     [Test]
@@ -182,7 +182,7 @@ public sealed class InsectBakingTests
     [Test]
     public void APathOutsideOfAssets_IsRefused()
     {
-        m_Baking.Bake(m_Insect, ["rest"], 24);
+        m_Baking.Bake(m_Insect, ["rest"], 4);
 
         Assert.That(m_Baking.Save("Packages/x.asset"), Is.Null);
         Assert.That(m_Baking.Problem, Does.Contain("is not in the project's Assets folder"));
