@@ -6,7 +6,7 @@ namespace Alate.Cli;
 internal static class StudyCommand
 {
     private const string k_Table = "study.csv", k_Parquet = "study.parquet", k_Effects = "effects.svg", k_Front = "pareto.svg",
-        k_Shares = "sensitivity.csv", k_Slurm = "study.sbatch", k_Kubernetes = "study.yaml";
+        k_Shares = "sensitivity.csv", k_Search = "search.svg", k_Slurm = "study.sbatch", k_Kubernetes = "study.yaml";
 
     /// <summary>Fewest runs for which more than one process pays.</summary>
     private const int k_Few = 100;
@@ -39,6 +39,9 @@ internal static class StudyCommand
             StudyPlan plan = Read(path);
             string given = parsed.GetValue(folder) ?? Folder(path);
             string full = Path.GetFullPath(path), shared = Path.GetFullPath(given);
+            bool isSplit = parsed.GetValue(shard) != null || parsed.GetValue(slurm) != null || parsed.GetValue(kubernetes) != null;
+            if (plan.Search != null && (isSplit || parsed.GetValue(workers) > 1))
+                throw new UserException("A search flies one run after the other: it has no parts, and takes one of --workers.");
             if (parsed.GetValue(slurm) is int jobs)
                 WriteScript(given, k_Slurm, StudyScripts.Slurm(Name(path), full, shared, jobs), output);
             if (parsed.GetValue(kubernetes) is int indices)
@@ -121,7 +124,7 @@ internal static class StudyCommand
     {
         StudyShard shard = part ?? StudyShard.Whole;
         int runs = shard.Runs(plan.Points.Length).Count(),
-            workers = Math.Min(count ?? (runs < k_Few ? 1 : Environment.ProcessorCount), runs);
+            workers = Math.Min(count ?? (runs < k_Few || plan.Search != null ? 1 : Environment.ProcessorCount), runs);
         Directory.CreateDirectory(given);
         var terminal = new Terminal(output);
         terminal.ShowProgress(part == null ? plan.Points.Length : runs, (done, _) =>
@@ -159,6 +162,12 @@ internal static class StudyCommand
             folder.Write(k_Front, stream => stream.Write(Encoding.UTF8.GetBytes(StudyPictures.DrawFront(result))));
         }
 
+        if (plan.Search != null)
+        {
+            names.Add(k_Search);
+            folder.Write(k_Search, stream => stream.Write(Encoding.UTF8.GetBytes(StudyPictures.DrawSearch(result))));
+        }
+
         if (result.Sensitivities != null)
         {
             names.Add(k_Shares);
@@ -182,6 +191,8 @@ internal static class StudyCommand
                 $"{result.Front.Count} runs are beaten by no other in both {file.Most} and {file.Least}."));
         }
 
+        if (file.Goal != null)
+            terminal.ShowTable("The best run", Found(result), names: 1);
         if (result.Problems > 0)
         {
             terminal.Lines.Profile.Out.Writer.WriteLine(FormattableString.Invariant(
@@ -190,6 +201,18 @@ internal static class StudyCommand
         }
 
         terminal.ShowFiles(given, [.. names]);
+    }
+
+    private static IEnumerable<IReadOnlyList<string>> Found(StudyResult result)
+    {
+        StudyFile file = result.Plan.File;
+        StudyRow best = result.BestUpTo(result.Plan.Points.Length - 1);
+        yield return
+            [FormattableString.Invariant($"run {best.Run}"), file.Goal.Holds(best, file.Measures) ? "value" : "value; it misses a bound"];
+        for (int k = 0; k < file.Parameters.Count; k++)
+            yield return [file.Parameters[k].Key, result.Plan.Points[best.Run][k].ToString("G6", CultureInfo.InvariantCulture)];
+        for (int k = 0; k < file.Measures.Count; k++)
+            yield return [file.Measures[k], best.Measures[k].ToString("G6", CultureInfo.InvariantCulture)];
     }
 
     private static IEnumerable<IReadOnlyList<string>> Ranges(StudyResult result)
@@ -226,6 +249,7 @@ internal static class StudyCommand
         + "  study.parquet    the same for programs\n"
         + "  effects.svg      each measure over each parameter\n"
         + "  pareto.svg       the best compromises, where the file names two measures\n"
+        + "  search.svg       the best run so far, of the design search\n"
         + "  sensitivity.csv  shares of the variance after Sobol, of the design saltelli\n"
         + "  rows-I-of-N.jsonl  the runs that are done\n\n"
         + "Exit code: 0 when all is written, 2 for bad usage or input.\n";

@@ -182,6 +182,14 @@ public sealed class StudyCommandTests
     [TestCase("{ M, 'options': ['--variant', 'biological'], 'parameters': [P] }", "There is no biological monarch")]
     [TestCase("{ M, 'parameters': [P, FINE1, FINE2] }",
         "the design has 5000000 runs")]
+    [TestCase("{ M, 'design': 'search', 'parameters': [P] }", "the design 'search' and 'goal' need one another")]
+    [TestCase("{ M, 'parameters': [P], 'goal': { 'most': 'lift_over_weight' } }", "the design 'search' and 'goal' need one another")]
+    [TestCase("{ M, 'design': 'search', 'parameters': [P], 'goal': { 'most': 'a', 'least': 'b' } }", "it takes either 'most' or 'least'")]
+    [TestCase("{ M, 'design': 'search', 'parameters': [P], 'goal': { 'most': 'lift_n' } }", "goal: 'lift_n' is none of the study's")]
+    [TestCase("{ M, 'design': 'search', 'parameters': [P], 'goal': { 'most': 'lift_n', 'where': [{ 'measure': 'lift_n' }] } }",
+        "it takes 'least', 'most' or both")]
+    [TestCase("{ M, 'design': 'search', 'parameters': [P], 'goal': { 'most': 'x', 'where': [{ 'measure': 'x', 'least': 2, 'most': 1 }] } }",
+        "'most' must be at least 'least'")]
     public void WhatIsWrong_IsOneLine_AndNothingIsWritten(string study, string problem)
     {
         using var run = new CommandRun();
@@ -192,6 +200,45 @@ public sealed class StudyCommandTests
         Assert.That(run.Errors, Does.Contain(problem).And.Contain(isOfInsect ? "" : file));
         Assert.That(run.Errors.Trim().Split('\n'), Has.Length.EqualTo(1));
         Assert.That(Directory.Exists(run.Out), Is.False);
+    }
+
+    [Test]
+    public void ASearch_FindsABetterRunThanItsFirstGeneration_WithinItsBound_AndGoesOnWhereItWasStopped()
+    {
+        using var run = new CommandRun();
+        string file = run.Write("s.study.json", """
+            { "version": 1, "insect": "painted-lichen-moth", "options": ["--speed", "0", "--pitch", "30"], "design": "search", "count": 30,
+              "parameters": [ { "key": "amplitude", "from": 0.5, "to": 1.5 }, { "key": "frequency", "from": 0.5, "to": 1.5 } ],
+              "measures": ["lift_over_weight", "positive_power_w"],
+              "goal": { "most": "lift_over_weight", "where": [ { "measure": "positive_power_w", "most": 8e-6 } ] } }
+            """);
+        Assert.That(run.Run("study", file, "--out", run.Out), Is.Zero, run.Errors);
+        Dictionary<string, string>[] rows = Rows(run.Out);
+        Assert.That(rows, Has.Length.EqualTo(30), "five generations of six");
+        Dictionary<string, string> best = rows.Single(row => row["is_best"] == "yes");
+        double[] allowed = [.. rows.Where(row => Number(row["positive_power_w"]) <= 8e-6).Select(row => Number(row["lift_over_weight"]))];
+        Assert.That(allowed, Has.Length.InRange(3, 29));
+        Assert.That(Number(best["lift_over_weight"]), Is.EqualTo(allowed.Max()));
+        Assert.That(int.Parse(best["run"], CultureInfo.InvariantCulture), Is.GreaterThan(5), "the first generation is a guess");
+        Assert.That(run.Output, Does.Contain("The best run").And.Not.Contain("misses a bound"));
+
+        string again = Path.Combine(run.Folder, "again");
+        Directory.CreateDirectory(again);
+        byte[] done = File.ReadAllBytes(Path.Combine(run.Out, "rows-1-of-1.jsonl"));
+        File.WriteAllBytes(Path.Combine(again, "rows-1-of-1.jsonl"), done[..(done.Length * 2 / 3)]);
+        Assert.That(run.Run("study", file, "--out", again), Is.Zero, run.Errors);
+        foreach (string name in new[] { "study.csv", "search.svg" })
+        {
+            Assert.That(File.ReadAllBytes(Path.Combine(again, name)).AsSpan()
+                .SequenceEqual(File.ReadAllBytes(Path.Combine(run.Out, name))), name);
+        }
+
+        foreach (string option in new[] { "--shard=1/2", "--workers=2", "--slurm=2", "--kubernetes=2" })
+        {
+            using var refused = new CommandRun();
+            Assert.That(refused.Run("study", file, option, "--out", refused.Out), Is.EqualTo(2));
+            Assert.That(refused.Errors, Does.Contain("A search flies one run after the other"));
+        }
     }
 
     [Test]

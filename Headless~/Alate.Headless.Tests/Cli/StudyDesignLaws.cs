@@ -104,6 +104,96 @@ public sealed class StudyDesignLaws
         Assert.That(found.Select(share => share.Total), Is.EqualTo(new[] { (one + both) / all, two / all, both / all }).Within(0.01));
     }
 
+    // A sphere, an ellipsoid whose axes differ by a thousand and are turned, and a bent valley.
+    [TestCase("sphere", 2, 300)]
+    [TestCase("sphere", 6, 900)]
+    [TestCase("ellipsoid", 4, 2600)]
+    [TestCase("valley", 2, 700)]
+    [TestCase("corner", 3, 600)]
+    public void ASearch_FindsTheLowestPoint(string landscape, int dimensions, int runs)
+    {
+        foreach (uint seed in new uint[] { 1, 2, 3 })
+        {
+            var strategy = new EvolutionStrategy(dimensions, seed);
+            double best = double.PositiveInfinity;
+            for (int run = 0; run < runs; run += strategy.Size)
+            {
+                double[] heights = Array.ConvertAll(strategy.Ask(), point => Height(landscape, point));
+                best = Math.Min(best, heights.Min());
+                strategy.Tell(Enumerable.Range(0, heights.Length).OrderBy(k => heights[k]).ToArray());
+            }
+
+            Assert.That(best, Is.LessThan(1e-8), $"seed {seed}");
+        }
+    }
+
+    // Orders alone count: heights that are stretched or shifted give the same points.
+    [Test]
+    public void ASearch_AsksForTheSame_WhateverTheScaleOfWhatItMeasures()
+    {
+        EvolutionStrategy one = new EvolutionStrategy(3, 5), other = new EvolutionStrategy(3, 5);
+        for (int generation = 0; generation < 20; generation++)
+        {
+            double[][] points = one.Ask(), same = other.Ask();
+            Assert.That(points, Is.EqualTo(same));
+            Assert.That(points.SelectMany(point => point), Has.All.InRange(0, 1));
+            one.Tell(Enumerable.Range(0, points.Length).OrderBy(k => Height("sphere", points[k])).ToArray());
+            other.Tell(Enumerable.Range(0, points.Length).OrderBy(k => Math.Exp(3 * Height("sphere", points[k])) - 7).ToArray());
+        }
+    }
+
+    [Test]
+    public void AxesOfAMatrix_MakeItAgain([Range(1, 8)] int size)
+    {
+        var random = new Random(size);
+        double[,] matrix = new double[size, size], axes = new double[size, size];
+        for (int i = 0; i < size; i++)
+        {
+            for (int j = 0; j <= i; j++)
+                matrix[i, j] = matrix[j, i] = random.NextDouble() - 0.5;
+        }
+
+        double[] values = new double[size];
+        SymmetricMatrix.Diagonalize(matrix, axes, values);
+        for (int i = 0; i < size; i++)
+        {
+            for (int j = 0; j < size; j++)
+            {
+                double made = Enumerable.Range(0, size).Sum(k => axes[i, k] * values[k] * axes[j, k]),
+                    product = Enumerable.Range(0, size).Sum(k => axes[k, i] * axes[k, j]);
+                Assert.That(made, Is.EqualTo(matrix[i, j]).Within(1e-12));
+                Assert.That(product, Is.EqualTo(i == j ? 1 : 0).Within(1e-12));
+            }
+        }
+    }
+
+    [Test]
+    public void AGoal_TakesBoundsFirst_ThenTheMeasure_AndMissingNumbersLast()
+    {
+        var goal = new StudyGoal("lift", true, [new StudyBound("power", double.NegativeInfinity, 10), new StudyBound("twist", 1, 2)]);
+        StudyRow[] rows =
+        [
+            new(0, [9, 11, 1.5], null), new(1, [5, 10, 1], null), new(2, [6, 1, 2], null), new(3, [99, 10, 4], null),
+            new(4, [double.NaN, 0, 1.5], "no"), new(5, [6, 1, 2], null),
+        ];
+        Assert.That(goal.Order(rows, ["lift", "power", "twist"]), Is.EqualTo(new[] { 2, 5, 1, 0, 3, 4 }));
+        Assert.That(rows.Select(row => goal.Holds(row, ["lift", "power", "twist"])),
+            Is.EqualTo(new[] { false, true, true, false, false, true }));
+    }
+
+    private static double Height(string landscape, double[] point)
+    {
+        double[] x = Array.ConvertAll(point, share => share - 0.37);
+        return landscape switch
+        {
+            "sphere" => x.Sum(axis => axis * axis),
+            "corner" => point.Sum(),
+            "valley" => Math.Pow(4 * x[0] - 0.4, 2) + 100 * Math.Pow(4 * x[1] - 0.1 - 2 * (4 * x[0] - 0.4) * (4 * x[0]), 2),
+            _ => Enumerable.Range(0, x.Length).Sum(k => Math.Pow(1e6, k / (x.Length - 1.0))
+                * Math.Pow(x[k] + 0.5 * x[(k + 1) % x.Length], 2)),
+        };
+    }
+
     [Test]
     public void TheBestCompromises_AreThoseThatNoOtherBeats([Range(1, 5)] int seed)
     {

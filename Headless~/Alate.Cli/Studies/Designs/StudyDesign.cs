@@ -5,10 +5,11 @@ namespace Alate.Cli;
 /// <summary>Choice of the values of a study's runs.</summary>
 internal static class StudyDesign
 {
-    public const string Grid = "grid", LatinHypercube = "latin-hypercube", Sobol = "sobol", Saltelli = "saltelli";
+    public const string Grid = "grid", LatinHypercube = "latin-hypercube", Sobol = "sobol", Saltelli = "saltelli",
+        Search = "search";
 
     /// <summary>All designs.</summary>
-    public static IReadOnlyList<string> Names { get; } = [Grid, LatinHypercube, Sobol, Saltelli];
+    public static IReadOnlyList<string> Names { get; } = [Grid, LatinHypercube, Sobol, Saltelli, Search];
 
     /// <summary>Number of runs.</summary>
     public static long Runs(string design, int count, IReadOnlyList<StudyParameter> parameters) => design switch
@@ -16,16 +17,18 @@ internal static class StudyDesign
         Grid => parameters.Aggregate(
             1L, (runs, parameter) => Math.Min(runs * parameter.Values.Count, long.MaxValue / StudyKeys.MostValues)),
         Saltelli => count * (parameters.Count + 2L),
+        Search => StudySearch.Runs(count, parameters.Count),
         _ => count,
     };
 
-    /// <summary>[run][parameter] Values.</summary>
+    /// <summary>[run][parameter] Values; null of a search, whose points follow from the rows before.</summary>
     public static double[][] Points(string design, int count, uint seed, IReadOnlyList<StudyParameter> parameters) => design switch
     {
         Grid => GridOf(parameters),
         LatinHypercube => Scaled(Hypercube(count, parameters.Count, seed), parameters),
         Sobol => Scaled(SobolPoints(count, parameters.Count), parameters),
         Saltelli => Scaled(SaltelliPoints(count, parameters.Count), parameters),
+        Search => new double[StudySearch.Runs(count, parameters.Count)][],
         _ => throw new ArgumentOutOfRangeException(nameof(design), design, "no design"),
     };
 

@@ -31,6 +31,7 @@ internal sealed class StudyFile
         Measures = root[StudyKeys.Measures]?.Items.Select(measure => measure.Text).Distinct().ToList() ?? StudyMeasure.Usual;
         Most = root[StudyKeys.Best]?[StudyKeys.Most].Text;
         Least = root[StudyKeys.Best]?[StudyKeys.Least].Text;
+        Goal = GoalOf(root);
     }
 
     /// <summary>Path of the file.</summary>
@@ -66,6 +67,12 @@ internal sealed class StudyFile
     /// <inheritdoc cref="Most"/>
     public string Least { get; }
 
+    /// <summary>True where some runs are better than others.</summary>
+    public bool LooksForBest => Most != null || Goal != null;
+
+    /// <summary>Aim of a search; null of another design.</summary>
+    public StudyGoal Goal { get; }
+
     /// <summary>Reads a file.</summary>
     /// <exception cref="UserException">It is none; the message names the line, the key and what is allowed.</exception>
     public static StudyFile Read(string path)
@@ -81,6 +88,33 @@ internal sealed class StudyFile
         {
             throw new UserException($"{path}: {problem.Message}");
         }
+    }
+
+    private StudyGoal GoalOf(JsonPlace root)
+    {
+        JsonPlace goal = root[StudyKeys.Goal], best = root[StudyKeys.Best];
+        bool isSearch = Design == StudyDesign.Search;
+        if (isSearch != (goal != null))
+            throw (goal ?? root).Wrong($"the design '{StudyDesign.Search}' and '{StudyKeys.Goal}' need one another");
+        if (!isSearch)
+            return null;
+        if (best != null)
+            throw best.Wrong($"a search has a '{StudyKeys.Goal}' in its place");
+        JsonPlace most = goal[StudyKeys.Most], least = goal[StudyKeys.Least];
+        if ((most == null) == (least == null))
+            throw goal.Wrong($"it takes either '{StudyKeys.Most}' or '{StudyKeys.Least}'");
+        return new StudyGoal((most ?? least).Text, most != null, goal[StudyKeys.Where]?.Items.Select(Bound).ToList() ?? []);
+    }
+
+    private static StudyBound Bound(JsonPlace place)
+    {
+        double least = Number(place[StudyKeys.Least]) ?? double.NegativeInfinity,
+            most = Number(place[StudyKeys.Most]) ?? double.PositiveInfinity;
+        if (double.IsInfinity(least) && double.IsInfinity(most))
+            throw place.Wrong($"it takes '{StudyKeys.Least}', '{StudyKeys.Most}' or both");
+        return least <= most
+            ? new StudyBound(place[StudyKeys.Measure].Text, least, most)
+            : throw place[StudyKeys.Most].Wrong($"'{StudyKeys.Most}' must be at least '{StudyKeys.Least}'");
     }
 
     private StudyParameter Parameter(JsonPlace place)

@@ -12,7 +12,7 @@ internal static class StudyKeys
     public const string SchemaKey = "$schema", VersionKey = "version", Insect = "insect", Options = "options", Design = "design",
         Count = "count", Seed = "seed", Parameters = "parameters", Key = "key", From = "from", To = "to", Steps = "steps",
         Values = "values", Scale = "scale", Whole = "whole", Measures = "measures", Best = "best", Most = "most", Least = "least",
-        Linear = "linear", Logarithmic = "logarithmic";
+        Linear = "linear", Logarithmic = "logarithmic", Goal = "goal", Where = "where", Measure = "measure";
 
     private static readonly NumberShape s_Number = new(-1e9m, 1e9m, "");
 
@@ -41,6 +41,19 @@ internal static class StudyKeys
         new FileKey(Most, new TextShape("a measure", 100), "The more of this measure the better.") { IsNeeded = true },
         new FileKey(Least, new TextShape("a measure", 100), "The less of this one the better.") { IsNeeded = true });
 
+    private static readonly ObjectShape s_Bound = new(
+        "bound",
+        new FileKey(Measure, new TextShape("a measure", 100), "The measure.") { IsNeeded = true },
+        new FileKey(Least, s_Number, "The least that it may be."),
+        new FileKey(Most, s_Number, "The most."));
+
+    private static readonly ObjectShape s_Goal = new(
+        "goal",
+        new FileKey(Most, new TextShape("a measure", 100), "The more of this measure the better; this or `least`."),
+        new FileKey(Least, new TextShape("a measure", 100), "The less of this one the better."),
+        new FileKey(Where, new ListShape(s_Bound, 1, 20, "a list of 1 to 20 bounds"),
+            "Ranges in which measures must lie. While no run keeps to them, the one that misses them least is the best."));
+
     /// <summary>Schema of study files.</summary>
     public static FileSchema Schema => new(
         File, "study-file.schema.json", "Study file", "A study of an insect for the command line of Alate Insect Wings.");
@@ -57,16 +70,18 @@ internal static class StudyKeys
             "Options of `fly` for every run, a word each, such as `\"--speed\", \"0\"`."),
         new FileKey(Design, new ChoiceShape([.. StudyDesign.Names]),
             "How the values are chosen: `grid` takes each value with each; `latin-hypercube`, `sobol` and `saltelli` take `count` points, "
-            + "the last so that sensitivities follow. Grid without it."),
+            + "the last so that sensitivities follow; `search` looks for the best run by `goal`. Grid without it."),
         new FileKey(Count, new NumberShape(1, MostRuns, "", isWhole: true),
             "Points of a design other than a grid; `saltelli` flies each with every parameter taken from elsewhere, besides. 64 without "
             + "it."),
-        new FileKey(Seed, new NumberShape(1, 2147483647, "", isWhole: true), "Seed of the Latin hypercube; 1 without it."),
+        new FileKey(Seed, new NumberShape(1, 2147483647, "", isWhole: true),
+            "Seed of the Latin hypercube and of the search; 1 without it."),
         new FileKey(Parameters, new ListShape(Parameter, 1, MostParameters, $"a list of 1 to {MostParameters} parameters"),
             "What is changed.") { IsNeeded = true },
         new FileKey(Measures, new ListShape(new TextShape("a measure", 100), 1, 100, "a list of 1 to 100 measures"),
             "What is measured of each run: names of summary.json, of another wing than the first as `hind wing.twist_pp_deg`. Without it "
             + "lift_over_weight, positive_power_w, twist_pp_deg and edge_stretch_max_pct."),
+        new FileKey(Goal, s_Goal, "What a search looks for."),
         new FileKey(Best, s_Best, "Two measures whose best compromises, the Pareto front, are marked and drawn."),
     ]);
 }

@@ -9,6 +9,8 @@ internal static class StudyPictures
     /// <summary>Parts of a parameter's range over which a mean is taken.</summary>
     private const int k_Parts = 10;
 
+    private const float k_Width = 620f, k_Height = 440f, k_Top = 70f;
+
     private const string k_Line = "#0b5fa5", k_Dot = "#a39b88", k_Front = "#c2410c";
 
     /// <summary>effects.svg.</summary>
@@ -41,17 +43,44 @@ internal static class StudyPictures
     {
         StudyFile file = result.Plan.File;
         double[] most = result.Values(file.Most), least = result.Values(file.Least);
-        const float k_Width = 620f, k_Height = 440f, k_Top = 70f;
-        var page = new SvgPage();
-        page.Text(ChartSheet.Edge, 38f, 22f, $"{result.Plan.Flight.Definition.DisplayName}: the best compromises", look: "b");
-        page.Text(ChartSheet.Edge, 60f, 13f, $"{result.Front.Count} of {most.Length} runs are beaten by no other in both.", look: "t");
-        var chart = new PointChart(page, $"{Short(file.Most)} over {Short(file.Least)}", ChartAxis.Around(least), ChartAxis.Around(most),
-            12f, k_Top, new float2(k_Width - ChartSheet.Edge, k_Height));
+        SvgPage page = Page(
+            result, "the best compromises", $"{result.Front.Count} of {most.Length} runs are beaten by no other in both.");
+        PointChart chart = Chart(page, $"{Short(file.Most)} over {Short(file.Least)}", least, most);
         chart.Draw(new PointCurve(Thinned(least, most), k_Dot, CurveLook.Dots));
         chart.Draw(new PointCurve(
             result.Front.Select(run => new ChartPoint(least[run], most[run])).Reverse().ToList(), k_Front, CurveLook.Discs));
         return page.Finish(k_Width, k_Top + k_Height + 12f, "The best compromises between two measures of a study");
     }
+
+    /// <summary>search.svg.</summary>
+    public static string DrawSearch(StudyResult result)
+    {
+        StudyGoal goal = result.Plan.File.Goal;
+        double[] values = result.Values(goal.Measure), runs = Enumerable.Range(0, values.Length).Select(run => (double)run).ToArray();
+        SvgPage page = Page(result, "the way of a search", $"A dot is a run. The line is the best so far"
+            + (goal.Bounds.Count == 0 ? "." : ", of those that keep to their bounds where there are any."));
+        PointChart chart = Chart(page, $"{Short(goal.Measure)} over runs", runs, values);
+        chart.Draw(new PointCurve(Thinned(runs, values), k_Dot, CurveLook.Dots));
+        int step = 1 + values.Length / k_MostDots;
+        int measure = result.Plan.File.Measures.ToList().IndexOf(goal.Measure);
+        chart.Draw(new PointCurve(
+            Enumerable.Range(0, values.Length).Where(run => run % step == 0)
+                .Select(run => new ChartPoint(run, result.BestUpTo(run).Measures[measure]))
+                .Where(point => double.IsFinite(point.Y)).ToList(),
+            k_Front, CurveLook.Plain));
+        return page.Finish(k_Width, k_Top + k_Height + 12f, "The best run so far of a search");
+    }
+
+    private static SvgPage Page(StudyResult result, string title, string caption)
+    {
+        var page = new SvgPage();
+        page.Text(ChartSheet.Edge, 38f, 22f, $"{result.Plan.Flight.Definition.DisplayName}: {title}", look: "b");
+        page.Text(ChartSheet.Edge, 60f, 13f, caption, look: "t");
+        return page;
+    }
+
+    private static PointChart Chart(SvgPage page, string title, double[] across, double[] up) => new(
+        page, title, ChartAxis.Around(across), ChartAxis.Around(up), 12f, k_Top, new float2(k_Width - ChartSheet.Edge, k_Height));
 
     private static string Short(string name) => name.StartsWith(StudyParameter.OfInsect, StringComparison.Ordinal)
         ? name[(name.LastIndexOf('.') + 1)..]

@@ -18,14 +18,21 @@ internal sealed class StudyPlan
         Flight = flight;
         m_InsectText = InsectFileText.Write(flight.Definition);
         Measures = file.Measures.Select(name => StudyMeasure.Find(name, flight.Definition) ?? throw Unknown(name)).ToList();
-        foreach (string name in new[] { file.Most, file.Least }.Where(name => name != null && !file.Measures.Contains(name)))
-            throw new UserException($"{file.Path}: {StudyKeys.Best}: '{name}' is none of the study's measures.");
+        string missing = new[] { file.Most, file.Least }.Concat(file.Goal?.Measures ?? [])
+            .FirstOrDefault(name => name != null && !file.Measures.Contains(name));
+        if (missing != null)
+        {
+            throw new UserException(
+                $"{file.Path}: {(file.Goal == null ? StudyKeys.Best : StudyKeys.Goal)}: '{missing}' is none of the study's measures.");
+        }
+
         long runs = StudyDesign.Runs(file.Design, file.Count, file.Parameters);
         if (runs > StudyKeys.MostRuns)
             throw new UserException($"{file.Path}: the design has {runs} runs; at most {StudyKeys.MostRuns} are allowed.");
         foreach (StudyParameter parameter in file.Parameters)
             Try(parameter);
         Points = StudyDesign.Points(file.Design, file.Count, file.Seed, file.Parameters);
+        Search = file.Goal == null ? null : new StudySearch(file);
         Hash = HashOf();
     }
 
@@ -38,8 +45,11 @@ internal sealed class StudyPlan
     /// <summary>Measures of each run.</summary>
     public IReadOnlyList<StudyMeasure> Measures { get; }
 
-    /// <summary>[run][parameter] Values.</summary>
+    /// <summary>[run][parameter] Values; null where those of a search do not follow from rows yet.</summary>
     public double[][] Points { get; }
+
+    /// <summary>Search that the points come from; null of another design.</summary>
+    public StudySearch Search { get; }
 
     /// <summary>SHA-256 of all that decides the results: version, file, insect, flight and the files that were read.</summary>
     public string Hash { get; }

@@ -10,6 +10,7 @@ internal sealed class StudyResult
     {
         Plan = plan;
         m_Rows = rows;
+        plan.Search?.Extend(plan.Points, rows);
         Front = plan.File.Most == null ? [] : ParetoFront.Of(Values(plan.File.Most), Values(plan.File.Least));
         if (plan.File.Design == StudyDesign.Saltelli)
             Sensitivities = plan.File.Measures.Select(name => Sensitivity.Of(Values(name), plan.File.Parameters.Count)).ToList();
@@ -26,6 +27,17 @@ internal sealed class StudyResult
 
     /// <summary>[measure][parameter] Shares of the variance; null for a design that does not give them.</summary>
     public IReadOnlyList<Sensitivity[]> Sensitivities { get; }
+
+    /// <summary>Run that a search found, or those that no other beats; none where nothing was looked for.</summary>
+    public HashSet<int> Best => Plan.File.Goal == null ? [.. Front] : [BestUpTo(m_Rows.Count - 1).Run];
+
+    /// <summary>Best row of a search among the first ones.</summary>
+    /// <param name="run">The last of them.</param>
+    public StudyRow BestUpTo(int run)
+    {
+        var flown = Rows.Take(run + 1).ToList();
+        return flown[Plan.File.Goal.Order(flown, Plan.File.Measures)[0]];
+    }
 
     /// <summary>Runs that could not be flown.</summary>
     public int Problems => Rows.Count(row => row.Problem != null);

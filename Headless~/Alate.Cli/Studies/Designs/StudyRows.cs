@@ -49,8 +49,13 @@ internal static class StudyRows
         int done = 0;
         foreach (int run in shard.Runs(plan.Points.Length))
         {
+            plan.Search?.Extend(plan.Points, known);
             if (!known.ContainsKey(run))
-                Write(file, plan.Fly(run).Line());
+            {
+                known[run] = plan.Fly(run);
+                Write(file, known[run].Line());
+            }
+
             progress(++done);
         }
     }

@@ -16,7 +16,7 @@ internal static class StudyTables
     public static void WriteParquet(StudyResult result, Stream stream)
     {
         StudyFile file = result.Plan.File;
-        var front = result.Front.ToHashSet();
+        HashSet<int> best = result.Best;
         var columns = new List<ParquetColumn> { ParquetColumn.Of("run", result.Rows.Select(row => row.Run)) };
         for (int k = 0; k < file.Parameters.Count; k++)
         {
@@ -26,8 +26,8 @@ internal static class StudyTables
         }
 
         columns.AddRange(file.Measures.Select(measure => ParquetColumn.Of(Column(measure), result.Values(measure))));
-        if (file.Most != null)
-            columns.Add(ParquetColumn.Of("is_best", result.Rows.Select(row => front.Contains(row.Run))));
+        if (file.LooksForBest)
+            columns.Add(ParquetColumn.Of("is_best", result.Rows.Select(row => best.Contains(row.Run))));
         columns.Add(ParquetColumn.OfTexts("problem", result.Rows.Select(row => row.Problem ?? "")));
 
         // The library writes into memory: the stream may be one that cannot be sought.
@@ -69,13 +69,13 @@ internal static class StudyTables
     private static IEnumerable<IReadOnlyList<string>> Rows(StudyResult result)
     {
         StudyFile file = result.Plan.File;
-        var front = result.Front.ToHashSet();
-        string[] best = file.Most == null ? [] : ["is_best"];
+        HashSet<int> front = result.Best;
+        string[] best = file.LooksForBest ? ["is_best"] : [];
         yield return
             ["run", .. file.Parameters.Select(parameter => parameter.Column), .. file.Measures.Select(Column), .. best, "problem"];
         foreach (StudyRow row in result.Rows)
         {
-            string[] isBest = file.Most == null ? [] : [front.Contains(row.Run) ? "yes" : "no"];
+            string[] isBest = file.LooksForBest ? [front.Contains(row.Run) ? "yes" : "no"] : [];
             yield return
             [
                 row.Run.ToString(CultureInfo.InvariantCulture), .. result.Plan.Points[row.Run].Select(Number),
