@@ -1,4 +1,6 @@
+using Alate.Catalogue;
 using Alate.Crowds;
+using Alate.Flight;
 using Alate.Geometry;
 using NUnit.Framework;
 using Unity.Mathematics;
@@ -18,6 +20,35 @@ namespace Alate.Tests.Crowds
             Assert.That(Numbers(SteadyFlight.Sum(a, default)), Is.EqualTo(Numbers(a)));
             Assert.That(Numbers(SteadyFlight.Sum(default, b)), Is.EqualTo(Numbers(b)));
             Assert.That(Numbers(SteadyFlight.Scaled(b, 2f)), Is.EqualTo(Numbers(SteadyFlight.Sum(b, b))));
+        }
+
+        // A fish turns slower than the motion says: the clip has the turn that it swims, with a course that is never far ahead.
+        [TestCase(-60f)]
+        [TestCase(60f)]
+        public void ATurnThatIsTooFastForIt_IsTheOneThatItFlies(float degrees)
+        {
+            InsectDefinition fish = InsectCatalogue.Find("snailfish");
+            using (FlightModel model = CatalogueFlight.CreateModel(fish))
+            using (TrimTable table = CatalogueFlight.CreateTable(fish, model))
+            using (var flight = new FreeFlight(model, table, new FlightCondition(0.5f * table.TopSpeed, 0f)))
+            {
+                var motion = new BakeMotion("turn") { Speed = 0.5f, TurnDegrees = degrees, IsFlown = true };
+                SteadyFlight steady = SteadyFlight.Fly(model, table, motion);
+                float3 told = math.rotate(steady.Attitude, steady.FlightOf(1f, 1f).angularVelocity);
+
+                float dt = 0.02f, turned = 0f;
+                while (flight.Time < 17.0)
+                {
+                    float before = flight.Reference.Heading, course = before + math.sign(degrees);
+                    flight.Step(FlightCommand.Fly(0.5f * table.TopSpeed * new float3(math.sin(course), 0f, math.cos(course)), course), dt);
+                    if (flight.Time > 10.0)
+                        turned += Headings.Wrap(flight.Reference.Heading - before);
+                }
+
+                Assert.That(told.y * math.sign(degrees), Is.InRange(math.radians(4f), math.radians(40f)), "slower than it was told");
+                Assert.That(told.y, Is.EqualTo(turned / 7f).Within(0.1f * math.abs(told.y)));
+                Assert.That(math.length(told.xz), Is.LessThan(1e-3f));
+            }
         }
 
         [Test]

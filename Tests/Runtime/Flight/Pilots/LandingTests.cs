@@ -64,6 +64,30 @@ namespace Alate.Tests.Flight
             Assert.That(command.velocity.y, Is.LessThan(-0.06f), "steeper than the line");
         }
 
+        // Six seconds more than the line takes at half of its speed, 0.12 m/s, without coming nearer.
+        [Test]
+        public void WhoeverHangsOnTheLine_GoesRound()
+        {
+            var spot = new PerchSpot { position = new float3(1f, 2f, 3f), normal = new float3(0f, 1f, 0f), heading = 0f };
+            var landing = new Landing(spot, k_Stand);
+            var flyer = new PointFlyer();
+            float height = k_Stand + Landing.Clearance * flyer.situation.wingLength;
+            var off = new float3(0f, 0.45f * 0.5f + 0.05f, -0.5f);
+            flyer.situation.position = spot.position + 10f * (off + height * spot.normal);
+            flyer.situation.velocity = flyer.situation.referenceVelocity = new float3(0f, 0f, 0.12f);
+            float along = math.dot(off, math.normalize(new float3(0f, 0.45f, -1f))), time = 0f;
+            landing.Next(flyer.situation);
+            Assert.That(landing.IsFlaring);
+            while (landing.Attempts == 0 && time < 40f)
+            {
+                landing.Next(flyer.situation);
+                time += flyer.situation.deltaTime;
+            }
+
+            Assert.That(time, Is.EqualTo(6f + along / 0.06f).Within(0.05f));
+            Assert.That(landing.IsFlaring, Is.False);
+        }
+
         [Test]
         public void AnInsect_LandsSitsAndLeaves_WhenItsTimeIsUp()
         {
