@@ -30,6 +30,24 @@ namespace Alate.Editor.Tests
             Assert.That(other.Noise, Is.EqualTo(one.Noise).Within(0.02));
         }
 
+        // The band that is looked at is a fiftieth of the shorter side, whichever that is.
+        [TestCase(1000, 60)]
+        [TestCase(60, 1000)]
+        public void AWingNearTheRimOfALongPicture_IsNoGround(int width, int height)
+        {
+            var plane = new PixelPlane(width, height);
+            for (int k = 0; k < plane.values.Length; k++)
+            {
+                int column = k % width, row = k / width;
+                int rim = Math.Min(Math.Min(column, width - 1 - column), Math.Min(row, height - 1 - row));
+                plane.values[k] = rim < 2 ? 20f : 200f;
+            }
+
+            var ground = PlainGround.FromBorder(plane);
+            Assert.That(ground.Distance[width / 2, height / 2], Is.EqualTo(180f).Within(1f));
+            Assert.That(ground.Distance[0, height / 2], Is.EqualTo(0f).Within(1f));
+        }
+
         [Test]
         public void TheGround_IsWhatMoreThanHalfOfTheBorderShows()
         {
