@@ -33,7 +33,7 @@ namespace Alate.Tests.Crowds
             using (var flight = new FreeFlight(model, table, new FlightCondition(0.5f * table.TopSpeed, 0f)))
             {
                 var motion = new BakeMotion("turn") { Speed = 0.5f, TurnDegrees = degrees, IsFlown = true };
-                SteadyFlight steady = SteadyFlight.Fly(model, table, motion);
+                var steady = SteadyFlight.Fly(model, table, motion);
                 float3 told = math.rotate(steady.Attitude, steady.FlightOf(1f, 1f).angularVelocity);
 
                 float dt = 0.02f, turned = 0f;
