@@ -127,12 +127,13 @@ internal static class StudyCommand
             workers = Math.Min(count ?? (runs < k_Few || plan.Search != null ? 1 : Environment.ProcessorCount), runs);
         Directory.CreateDirectory(given);
         var terminal = new Terminal(output);
+        var progress = new StudyProgress(given);
         terminal.ShowProgress(part == null ? plan.Points.Length : runs, (done, _) =>
         {
             if (workers <= 1)
                 StudyRows.Fly(plan, given, shard, done);
             else
-                StudyWorkers.Fly(plan.File.Path, given, shard.Split(workers), () => done(StudyRows.Read(plan, given).Count));
+                StudyWorkers.Fly(plan.File.Path, given, shard.Split(workers), () => done(progress.Count()));
         });
         if (part == null)
             WriteTables(plan, [given], given, output);

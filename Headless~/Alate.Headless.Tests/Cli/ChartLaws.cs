@@ -17,6 +17,27 @@ public sealed class ChartLaws
     private static readonly XNamespace s_Svg = "http://www.w3.org/2000/svg";
 
     [Test]
+    public void AnAxisAroundValues_IsNoLongerThanTheyAsk_FarFromNought()
+    {
+        var random = new System.Random(6);
+        for (int k = 0; k < 200; k++)
+        {
+            double middle = 1e4 * (random.NextDouble() - 0.5), size = Math.Pow(10.0, 4.0 * random.NextDouble() - 2.0);
+            double[] values = [.. Enumerable.Range(0, 5).Select(_ => middle + size * random.NextDouble())];
+            var axis = ChartAxis.Around(values);
+            double step = axis.Ticks[1] - axis.Ticks[0];
+            Assert.That(axis.From, Is.InRange(values.Min() - 1.001 * step, values.Min() + 1e-6));
+            Assert.That(axis.To, Is.InRange(values.Max() - 1e-6, values.Max() + 1.001 * step));
+            Assert.That(axis.Ticks, Has.Count.InRange(3, 7));
+        }
+
+        ChartAxis flat = ChartAxis.Around([5000.0, 5000.0, double.NaN]), none = ChartAxis.Around([double.NaN]);
+        Assert.That((flat.From, flat.To), Is.EqualTo((5000.0, 5005.0)).Using<(double, double)>(
+            (one, other) => Math.Abs(one.Item1 - other.Item1) < 1.0 && Math.Abs(one.Item2 - other.Item2) < 2.0 ? 0 : 1));
+        Assert.That((none.From, none.To), Is.EqualTo((0.0, 1.0)));
+    }
+
+    [Test]
     public void AnAxis_HoldsItsValuesAndNought_WithFewRoundTicks()
     {
         var random = new System.Random(5);

@@ -8,6 +8,7 @@ using System.Text.Json;
 using System.Text.Json.Nodes;
 using System.Threading;
 using System.Threading.Tasks;
+using System.Xml.Linq;
 using Alate.Catalogue;
 using Alate.Cli;
 using Json.Schema;
@@ -124,6 +125,23 @@ public sealed class StudyCommandTests
     }
 
     [Test]
+    public void Progress_CountsWholeRows_AsFilesGrow()
+    {
+        using var run = new CommandRun();
+        Directory.CreateDirectory(run.Out);
+        var progress = new StudyProgress(run.Out);
+        Assert.That(progress.Count(), Is.Zero);
+        string[] lines = File.ReadAllLines(Path.Combine(m_Whole.Out, "rows-1-of-1.jsonl"));
+        string one = Path.Combine(run.Out, "rows-1-of-2.jsonl"), two = Path.Combine(run.Out, "rows-2-of-2.jsonl");
+        File.WriteAllText(one, lines[0] + "\n" + lines[1] + "\n" + lines[2][..9]);
+        Assert.That(progress.Count(), Is.EqualTo(1));
+        File.AppendAllText(one, lines[2][9..] + "\n");
+        File.WriteAllText(two, lines[0] + "\n" + lines[3] + "\n");
+        Assert.That(progress.Count(), Is.EqualTo(3));
+        Assert.That(progress.Count(), Is.EqualTo(3));
+    }
+
+    [Test]
     public void RowsOfAnotherStudy_AreRefused_AndStay()
     {
         using var run = new CommandRun();
@@ -221,6 +239,7 @@ public sealed class StudyCommandTests
         Assert.That(Number(best["lift_over_weight"]), Is.EqualTo(allowed.Max()));
         Assert.That(int.Parse(best["run"], CultureInfo.InvariantCulture), Is.GreaterThan(5), "the first generation is a guess");
         Assert.That(run.Output, Does.Contain("The best run").And.Not.Contain("misses a bound"));
+        AssertTheLineEndsAtTheBest(Path.Combine(run.Out, "search.svg"), rows, best);
 
         string again = Path.Combine(run.Folder, "again");
         Directory.CreateDirectory(again);
@@ -313,6 +332,17 @@ public sealed class StudyCommandTests
         string merged = Path.Combine(run.Folder, "merged");
         Assert.That(run.Run(["study", "merge", file, .. parts, "--out", merged]), Is.Zero, run.Errors);
         Assert.That(File.ReadAllBytes(Path.Combine(merged, "study.csv")).AsSpan().SequenceEqual(whole), "merged");
+    }
+
+    // The line is the picture's only path; its end is at the height of the best run's dot.
+    private static void AssertTheLineEndsAtTheBest(string picture, Dictionary<string, string>[] rows, Dictionary<string, string> best)
+    {
+        XNamespace svg = "http://www.w3.org/2000/svg";
+        var page = XDocument.Load(picture);
+        string[] line = page.Descendants(svg + "path").Single().Attribute("d").Value.Split('M', 'L')[1..];
+        XElement dot = page.Descendants(svg + "circle").ElementAt(Array.IndexOf(rows, best));
+        Assert.That(line, Has.Length.InRange(2, rows.Length));
+        Assert.That(Number(line[^1].Split(' ')[1]), Is.EqualTo(Number(dot.Attribute("cy").Value)).Within(0.11));
     }
 
     private static string Fine(string key) => $"{{ 'key': '{key}', 'from': 0, 'to': 1, 'steps': 1000 }}";

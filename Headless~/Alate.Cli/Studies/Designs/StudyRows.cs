@@ -18,8 +18,7 @@ internal static class StudyRows
     public static SortedDictionary<int, StudyRow> Read(StudyPlan plan, params string[] folders)
     {
         var rows = new SortedDictionary<int, StudyRow>();
-        foreach (string file in folders.Where(Directory.Exists).SelectMany(folder => Directory.GetFiles(folder, k_Begin + "*" + k_End))
-            .Order(StringComparer.Ordinal))
+        foreach (string file in folders.SelectMany(Files))
         {
             foreach (StudyRow row in Lines(file, plan).Skip(1).Select(line => StudyRow.Read(line, plan.Measures.Count)))
             {
@@ -30,6 +29,11 @@ internal static class StudyRows
 
         return rows;
     }
+
+    /// <summary>Files with rows in a folder, by name.</summary>
+    public static IEnumerable<string> Files(string folder) => Directory.Exists(folder)
+        ? Directory.GetFiles(folder, k_Begin + "*" + k_End).Order(StringComparer.Ordinal)
+        : [];
 
     /// <summary>Flies the runs of a shard that have no row yet, and writes each behind the rows of the shard.</summary>
     /// <param name="plan">The study.</param>
