@@ -14,20 +14,24 @@ import numpy as np
 
 import alate
 
+PITCH = 40
+
 
 def main(species="monarch", picture="force_over_beat.png"):
     with tempfile.TemporaryDirectory() as folder:
-        run = alate.command("fly", species, "--speed", 0, "--pitch", 40, "--no-pictures", out=folder)
+        run = alate.command("fly", species, "--speed", 0, "--pitch", PITCH, "--no-pictures", out=folder)
         forces, span = run["forces"], run["spanwise"]
         over_weight = run.summary["lift_over_weight"]
     phase = forces["phase_deg"]
     order = np.argsort(phase % 360)
 
     figure, (loads, power, strips) = plt.subplots(3, 1, figsize=(7, 8), sharex=True, layout="constrained")
-    lines = [(loads, "force_y_n", "up"), (loads, "force_z_n", "ahead"),
-             (power, "power_w", "to the air"), (power, "inertial_power_w", "of the wings' own mass")]
-    for axes, name, label in lines:
-        axes.plot((phase % 360)[order], 1e3 * forces[name][order], label=label)
+    # The table's forces are along axes of the body, whose nose is up by PITCH.
+    pitch, y, z = np.radians(PITCH), forces["force_y_n"], forces["force_z_n"]
+    lines = [(loads, np.cos(pitch) * y + np.sin(pitch) * z, "up"), (loads, np.cos(pitch) * z - np.sin(pitch) * y, "ahead"),
+             (power, forces["power_w"], "to the air"), (power, forces["inertial_power_w"], "of the wings' own mass")]
+    for axes, values, label in lines:
+        axes.plot((phase % 360)[order], 1e3 * values[order], label=label)
     for axes in (loads, power):
         axes.axhline(0, color="grey", linewidth=0.5)
         axes.legend()
@@ -47,7 +51,8 @@ def main(species="monarch", picture="force_over_beat.png"):
 
     # The strips of both sides add up to the forces of the beat.
     mean = span["lift_n"].sum() / len(forces)
-    print(f"mean lift {1e3 * forces['lift_n'].mean():.3f} mN; of the strips {1e3 * mean:.3f} mN")
+    print(f"mean lift {1e3 * forces['lift_n'].mean():.3f} mN; of the strips {1e3 * mean:.3f} mN; "
+          f"of the line {1e3 * lines[0][1].mean():.3f} mN")
 
 
 if __name__ == "__main__":

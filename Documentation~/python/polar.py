@@ -25,8 +25,9 @@ def main(species="monarch", speed="1", picture="polar.png"):
         for pitch in PITCHES:
             run = alate.command("fly", species, "--speed", speed, "--pitch", pitch, "--no-pictures",
                                 out=Path(folder) / str(pitch))
+            # Against gravity, and along the flight: forces along x, y and z are in axes of the body.
+            lift, thrust = run["forces"]["lift_n"].mean(), -run["forces"]["drag_n"].mean()
             summary = run.summary
-            _, lift, thrust = summary["mean_force_n"]
             rows.append((pitch, 1e3 * lift, 1e3 * thrust, 1e3 * summary["positive_power_w"], summary["lift_over_weight"]))
     pitches, lift, thrust, power, over_weight = np.array(rows).T
 

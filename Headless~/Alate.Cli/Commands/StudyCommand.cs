@@ -125,7 +125,8 @@ internal static class StudyCommand
         StudyShard shard = part ?? StudyShard.Whole;
         int runs = shard.Runs(plan.Points.Length).Count(),
             workers = Math.Min(count ?? (runs < k_Few || plan.Search != null ? 1 : Environment.ProcessorCount), runs);
-        Directory.CreateDirectory(given);
+        using (var made = OutputFolder.Prepare(given, k_Table, k_Parquet, k_Effects))
+            made.Commit();
         var terminal = new Terminal(output);
         var progress = new StudyProgress(given);
         terminal.ShowProgress(part == null ? plan.Points.Length : runs, (done, _) =>
@@ -197,7 +198,7 @@ internal static class StudyCommand
         if (result.Problems > 0)
         {
             terminal.Lines.Profile.Out.Writer.WriteLine(FormattableString.Invariant(
-                $"{result.Problems} runs could not be flown; {k_Table} says why. The first: ")
+                $"{result.Problems} of the runs could not be flown; {k_Table} says why. The first: ")
                 + result.Rows.First(row => row.Problem != null).Problem);
         }
 
@@ -207,7 +208,7 @@ internal static class StudyCommand
     private static IEnumerable<IReadOnlyList<string>> Found(StudyResult result)
     {
         StudyFile file = result.Plan.File;
-        StudyRow best = result.BestUpTo(result.Plan.Points.Length - 1);
+        StudyRow best = result.BestSoFar()[^1];
         yield return
             [FormattableString.Invariant($"run {best.Run}"), file.Goal.Holds(best, file.Measures) ? "value" : "value; it misses a bound"];
         for (int k = 0; k < file.Parameters.Count; k++)

@@ -27,7 +27,7 @@ namespace Alate.Tests.Cli
         public void SixHundredDamagedSummaries_FlyAgainOrAreRefusedInOneLine() => FlySummaries(k_Kinematics, k_Kinematics + k_All);
 
         [Test, Explicit, Category("Long")]
-        public void SixHundredDamagedInsectFiles_FlyOrAreRefusedInOneLine() => FlyInsects(k_Sample, k_Sample + k_All);
+        public void SixHundredDamagedInsectFiles_FlyOrAreRefusedInOneLine() => FlyInsects(k_Sample, 2 * k_Sample + k_All);
 
         [Test, Explicit, Category("Long")]
         public void SixHundredDamagedKinematics_FlyOrAreRefusedInOneLine() => FlyKinematics(k_Kinematics, k_Kinematics + k_All);

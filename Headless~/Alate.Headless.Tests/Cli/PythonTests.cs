@@ -5,6 +5,7 @@ using System.Globalization;
 using System.IO;
 using System.Linq;
 using System.Text.Json;
+using System.Text.RegularExpressions;
 using Alate.Cli;
 using NUnit.Framework;
 
@@ -123,7 +124,23 @@ public sealed class PythonTests
         using var run = new CommandRun();
         string picture = Path.Combine(run.Folder, name + ".png");
         string[] words = name == "force_over_beat" ? ["monarch", picture] : name == "polar" ? ["monarch", "1", picture] : [picture];
-        Assert.That(Python([Path.Combine(Folder, name + ".py"), .. words]), Does.Contain(said));
+        string output = Python([Path.Combine(Folder, name + ".py"), .. words]);
+        Assert.That(output, Does.Contain(said));
+        if (name == "force_over_beat")
+        {
+            double[] lifts = [.. Regex.Matches(output, @"(-?[\d.]+) mN").Select(match => Number(match.Groups[1].Value))];
+            Assert.That(lifts, Has.Length.EqualTo(3).And.All.EqualTo(lifts[0]).Within(0.002));
+        }
+
+        if (name == "polar")
+        {
+            // Lift over its share of the weight is the weight, at every pitch.
+            double[][] rows = [.. output.Trim().Split('\n').Skip(1).Select(line =>
+                line.Split(' ', StringSplitOptions.RemoveEmptyEntries).Select(Number).ToArray())];
+            double weight = rows[^1][1] / rows[^1][4];
+            Assert.That(rows.Select(row => row[1]), Is.EqualTo(rows.Select(row => weight * row[4])).Within(0.03));
+        }
+
         Assert.That(new FileInfo(picture).Length, Is.GreaterThan(10000));
     }
 

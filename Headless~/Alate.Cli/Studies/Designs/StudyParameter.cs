@@ -25,7 +25,7 @@ internal sealed record StudyParameter(
     /// <summary>True for a number of the insect.</summary>
     public bool IsOfInsect => Key.StartsWith(OfInsect, StringComparison.Ordinal);
 
-    /// <summary>Name of its column: the last word of the path where that is enough.</summary>
+    /// <summary>Name of its column.</summary>
     public string Column => Key.Replace(' ', '_');
 
     /// <summary>The value at a place between both ends.</summary>

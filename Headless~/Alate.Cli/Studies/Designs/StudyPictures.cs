@@ -17,8 +17,10 @@ internal static class StudyPictures
     public static string DrawEffects(StudyResult result)
     {
         StudyFile file = result.Plan.File;
+        int all = file.Measures.Count * file.Parameters.Count;
         var sheet = new ChartSheet($"{result.Plan.Flight.Definition.DisplayName}: what changes what",
-            "A dot is a run. The line is the mean over a tenth of the range of a parameter, or at each value of a grid.");
+            "A dot is a run. The line is the mean over a tenth of the range of a parameter, or at each value of a grid."
+            + (all > k_MostCharts ? FormattableString.Invariant($" The first {k_MostCharts} of {all} charts.") : ""));
         int charts = 0;
         foreach (string measure in file.Measures)
         {
@@ -62,10 +64,11 @@ internal static class StudyPictures
         PointChart chart = Chart(page, $"{Short(goal.Measure)} over runs", runs, values);
         chart.Draw(new PointCurve(Thinned(runs, values), k_Dot, CurveLook.Dots));
         int step = 1 + values.Length / k_MostDots;
+        StudyRow[] best = result.BestSoFar();
         int measure = result.Plan.File.Measures.ToList().IndexOf(goal.Measure);
         chart.Draw(new PointCurve(
             Enumerable.Range(0, values.Length).Where(run => run % step == 0)
-                .Select(run => new ChartPoint(run, result.BestUpTo(run).Measures[measure]))
+                .Select(run => new ChartPoint(run, best[run].Measures[measure]))
                 .Where(point => double.IsFinite(point.Y)).ToList(),
             k_Front, CurveLook.Plain));
         return page.Finish(k_Width, k_Top + k_Height + 12f, "The best run so far of a search");

@@ -33,7 +33,10 @@ internal sealed class StudyPlan
             Try(parameter);
         Points = StudyDesign.Points(file.Design, file.Count, file.Seed, file.Parameters);
         Search = file.Goal == null ? null : new StudySearch(file);
-        Hash = HashOf();
+
+        // Reads all that a flight reads, such as a prescribed motion: a change of it makes another study.
+        using (new TetheredFlight(flight, Alate.Cli.Insect.Of(flight)))
+            Hash = HashOf();
     }
 
     /// <summary>The study file.</summary>

@@ -29,14 +29,24 @@ internal sealed class StudyResult
     public IReadOnlyList<Sensitivity[]> Sensitivities { get; }
 
     /// <summary>Run that a search found, or those that no other beats; none where nothing was looked for.</summary>
-    public HashSet<int> Best => Plan.File.Goal == null ? [.. Front] : [BestUpTo(m_Rows.Count - 1).Run];
+    public HashSet<int> Best => Plan.File.Goal == null ? [.. Front] : [BestSoFar()[^1].Run];
 
-    /// <summary>Best row of a search among the first ones.</summary>
-    /// <param name="run">The last of them.</param>
-    public StudyRow BestUpTo(int run)
+    /// <summary>[run] Best row of a search among those up to it.</summary>
+    public StudyRow[] BestSoFar()
     {
-        var flown = Rows.Take(run + 1).ToList();
-        return flown[Plan.File.Goal.Order(flown, Plan.File.Measures)[0]];
+        StudyRow[] rows = [.. Rows];
+        int[] rank = new int[rows.Length], order = Plan.File.Goal.Order(rows, Plan.File.Measures);
+        for (int place = 0; place < order.Length; place++)
+            rank[order[place]] = place;
+        var best = new StudyRow[rows.Length];
+        int first = 0;
+        for (int run = 0; run < rows.Length; run++)
+        {
+            first = rank[run] < rank[first] ? run : first;
+            best[run] = rows[first];
+        }
+
+        return best;
     }
 
     /// <summary>Runs that could not be flown.</summary>
