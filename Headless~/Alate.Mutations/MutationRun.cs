@@ -101,6 +101,13 @@ internal static class MutationRun
             (mutant, type) => folders[type.Split('.', '+')[^1]].Contains(drawn[mutant - 1].Room.Split('/')[^1]));
         Say($"{coverage.Tests} tests take {coverage.Seconds:0} s of processor time");
 
+        if (options.Reach)
+        {
+            Console.WriteLine(Report.Unmet([.. drawn.Select((one, i) => (one.Mutant, IsMet: coverage.Reaching(i + 1).Count > 0))
+                .Where(one => one.Mutant != null)]));
+            return;
+        }
+
         var trial = new Trial(coverage, Worker);
         Verdict[] verdicts = Try(drawn, trial, new Equivalents(Path.Combine(AppContext.BaseDirectory, "Equivalents.txt")), Say);
         var report = new Report(drawn.Select((one, i) => (one.Room, one.Mutant, verdicts[i])).Where(one => one.Mutant != null).ToList());

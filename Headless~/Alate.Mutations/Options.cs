@@ -8,12 +8,13 @@ namespace Alate.Mutations;
 internal sealed class Options
 {
     public const string Usage = """
-        .ci/mutate [ROOM ...] [--seed N] [--count N] [--write] [--found]
+        .ci/mutate [ROOM ...] [--seed N] [--count N] [--write] [--found] [--reach]
           ROOM     rooms whose names begin so, in any case: Geometry, Model, Model/Forces, Editor, Cli; all without one
           --seed   draws the same mutants again; without it a seed is drawn and printed
           --count  mutants in all, spread evenly over the outermost rooms, one an assembly; 300
           --write  puts the table into CONTRIBUTING.md
           --found  lists also what was found, and by which test
+          --reach  tries none: lists by file how many of them no test meets
         """;
 
     public List<string> Rooms { get; } = [];
@@ -25,6 +26,8 @@ internal sealed class Options
     public bool Write { get; private set; }
 
     public bool Found { get; private set; }
+
+    public bool Reach { get; private set; }
 
     /// <exception cref="FormatException">A word is none of the usage's.</exception>
     public static Options Parse(IReadOnlyList<string> words)
@@ -45,6 +48,9 @@ internal sealed class Options
                     break;
                 case "--found":
                     options.Found = true;
+                    break;
+                case "--reach":
+                    options.Reach = true;
                     break;
                 case var word when word.StartsWith('-'):
                     throw new FormatException($"\"{word}\" is no option.\n{Usage}");
