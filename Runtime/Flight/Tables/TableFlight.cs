@@ -15,6 +15,9 @@ namespace Alate.Flight
         /// <summary>Tilt, radians, and error of the velocity, m/s, from which an insect is lost.</summary>
         private const float k_MostTilt = 0.8f, k_MostError = 0.6f;
 
+        /// <summary>Seconds of a flight that shows whether trims mix well, share of it after which the tilt counts, and the tilt.</summary>
+        private const float k_MixingSeconds = 6f, k_Counted = 0.5f, k_MixingTilt = 4f * math.PI / 180f;
+
         /// <summary>Takes the points out that the insect cannot fly to from level flight.</summary>
         public static void Check(FlightModel model, TrimTable table, Action<string> log)
         {
@@ -40,14 +43,24 @@ namespace Alate.Flight
             }
         }
 
-        private static bool Holds(FlightModel model, TrimTable table, in FlightCondition condition)
+        /// <summary>
+        /// Returns true where the insect flies by what is mixed of the trims around a condition, and comes to lie in the mixed attitude.
+        /// </summary>
+        public static bool Mixes(FlightModel model, TrimTable table, in FlightCondition condition) =>
+            Flies(model, table, condition, k_MixingSeconds, time => time > k_Counted * k_MixingSeconds ? k_MixingTilt : float.PositiveInfinity);
+
+        private static bool Holds(FlightModel model, TrimTable table, in FlightCondition condition) =>
+            Flies(model, table, condition, k_Seconds, _ => k_MostTilt);
+
+        private static bool Flies(
+            FlightModel model, TrimTable table, in FlightCondition condition, float seconds, Func<double, float> mostTilt)
         {
             using var flight = new FreeFlight(model, table, condition);
             var command = FlightCommand.Fly(new float3(0f, condition.Climb, condition.Speed), 0f);
-            while (flight.Time < k_Seconds)
+            while (flight.Time < seconds)
             {
                 flight.Step(command, k_Step);
-                if (!(flight.Tilt < k_MostTilt) || !(math.length(flight.VelocityError) < k_MostError))
+                if (!(flight.Tilt < mostTilt(flight.Time)) || !(math.length(flight.VelocityError) < k_MostError))
                     return false;
             }
 

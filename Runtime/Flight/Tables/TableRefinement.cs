@@ -1,5 +1,4 @@
 using System;
-using Unity.Mathematics;
 
 namespace Alate.Flight
 {
@@ -10,30 +9,25 @@ namespace Alate.Flight
     /// </summary>
     internal sealed class TableRefinement
     {
-        /// <summary>Seconds of a flight halfway between two points, share of it after which it counts, and its step.</summary>
-        private const float k_Seconds = 6f, k_Counted = 0.5f, k_Step = 0.01f;
-
-        /// <summary>Turn out of the mixed attitude, radians, and error of the velocity, m/s, from which trims do not mix well.</summary>
-        private const float k_MostTilt = 4f * math.PI / 180f, k_MostError = 0.6f;
-
         /// <summary>Least distance of two speeds, and of two climbs, m/s.</summary>
         private const float k_LeastSpeed = 0.03f, k_LeastClimb = 0.07f;
 
-        private readonly FlightModel m_Model;
-        private readonly TrimSolver m_Solver;
+        private readonly float m_Frequency;
+        private readonly Func<FlightCondition, TrimState, TrimState> m_Solve;
+        private readonly Func<TrimTable, FlightCondition, bool> m_Mixes;
         private readonly Action<TrimTable, int, int, TrimState> m_Add;
-        private readonly Action<string> m_Log;
 
-        /// <param name="model">The insect.</param>
-        /// <param name="solver">Of the insect.</param>
+        /// <param name="frequency">Of the insect's beat, Hz.</param>
+        /// <param name="solve">Finds the trim of a condition that is nearest to a state; null where none closes.</param>
+        /// <param name="mixes">Returns true where the insect flies well by what a table mixes at a condition.</param>
         /// <param name="add">Finds the gains of a trim and sets the table's point where they hold the insect.</param>
-        /// <param name="log">What is told; null tells nobody.</param>
-        public TableRefinement(FlightModel model, TrimSolver solver, Action<TrimTable, int, int, TrimState> add, Action<string> log)
+        public TableRefinement(float frequency, Func<FlightCondition, TrimState, TrimState> solve,
+            Func<TrimTable, FlightCondition, bool> mixes, Action<TrimTable, int, int, TrimState> add)
         {
-            m_Model = model;
-            m_Solver = solver;
+            m_Frequency = frequency;
+            m_Solve = solve;
+            m_Mixes = mixes;
             m_Add = add;
-            m_Log = log;
         }
 
         /// <summary>Flies between all speeds and climbs of a table and adds what is missing.</summary>
@@ -69,9 +63,9 @@ namespace Alate.Flight
                     if (!table.IsClosed(s, c))
                         break;
                     table.Fill();
-                    bool mixes = FliesWell(
+                    bool mixes = m_Mixes(
                         table, new FlightCondition(table.Speeds[s], 0.5f * (table.ClimbRates[c] + table.ClimbRates[c - way])))
-                        && FliesWell(table, new FlightCondition(0.5f * (table.Speeds[s] + table.Speeds[beside]), table.ClimbRates[c]));
+                        && m_Mixes(table, new FlightCondition(0.5f * (table.Speeds[s] + table.Speeds[beside]), table.ClimbRates[c]));
                     if (!mixes)
                         table.Open(s, c);
                 }
@@ -88,7 +82,7 @@ namespace Alate.Flight
             for (int c = 0; c < table.ClimbRates.Length && mixes; c++)
             {
                 mixes = !table.IsClosed(s, c) || !table.IsClosed(s + 1, c)
-                    || FliesWell(table, new FlightCondition(middle, table.ClimbRates[c]));
+                    || m_Mixes(table, new FlightCondition(middle, table.ClimbRates[c]));
             }
             if (mixes)
                 return false;
@@ -106,7 +100,7 @@ namespace Alate.Flight
             for (int s = 0; s < table.Speeds.Length && mixes; s++)
             {
                 mixes = !table.IsClosed(s, c) || !table.IsClosed(s, c + 1)
-                    || FliesWell(table, new FlightCondition(table.Speeds[s], middle));
+                    || m_Mixes(table, new FlightCondition(table.Speeds[s], middle));
             }
             if (mixes)
                 return;
@@ -151,17 +145,13 @@ namespace Alate.Flight
         private void AddPoint(TrimTable table, int s, int c, TrimState near)
         {
             var condition = new FlightCondition(table.Speeds[s], table.ClimbRates[c]);
-            m_Solver.Near = near;
-            TrimState trim = m_Solver.Solve(condition, near, out double[] residual);
-            m_Solver.Near = null;
-            if (TrimSolver.Norm(residual) < TrimSolver.Closed)
+            TrimState trim = m_Solve(condition, near);
+            if (trim != null)
                 m_Add(table, s, c, trim);
-            else
-                m_Log?.Invoke(m_Solver.Missing(condition, residual));
         }
 
         private TrimState State(TrimTable table, int s, int c) =>
-            table.IsClosed(s, c) ? TrimState.Read(table.Point(s, c), m_Model.Frequency) : null;
+            table.IsClosed(s, c) ? TrimState.Read(table.Point(s, c), m_Frequency) : null;
 
         private static TrimState Middle(TrimState a, TrimState b)
         {
@@ -171,23 +161,6 @@ namespace Alate.Flight
             for (int k = 0; k < middle.bob.Length; k++)
                 middle.bob[k] = 0.5 * (a.bob[k] + b.bob[k]);
             return middle;
-        }
-
-        private bool FliesWell(TrimTable table, in FlightCondition condition)
-        {
-            using var flight = new FreeFlight(m_Model, table, condition);
-            var command = FlightCommand.Fly(new float3(0f, condition.Climb, condition.Speed), 0f);
-            while (flight.Time < k_Seconds)
-            {
-                flight.Step(command, k_Step);
-                if (!(math.length(flight.VelocityError) < k_MostError)
-                    || flight.Time > k_Counted * k_Seconds && !(flight.Tilt < k_MostTilt))
-                {
-                    return false;
-                }
-            }
-
-            return true;
         }
     }
 }

@@ -55,8 +55,21 @@ namespace Alate.Flight
         /// <summary>Adds speeds where the trims of two do not mix well.</summary>
         internal TrimTable Refine(TrimTable table, TrimSolver solver, FlightTunnel tunnel) =>
             new TableRefinement(
-                m_Model, solver, (to, s, c, trim) => Add(to, s, c, new FlightCondition(to.Speeds[s], to.ClimbRates[c]), trim, tunnel), Log)
+                m_Model.Frequency, (condition, near) => Nearest(solver, condition, near),
+                (of, condition) => TableFlight.Mixes(m_Model, of, condition),
+                (to, s, c, trim) => Add(to, s, c, new FlightCondition(to.Speeds[s], to.ClimbRates[c]), trim, tunnel))
                 .Refine(table);
+
+        private TrimState Nearest(TrimSolver solver, in FlightCondition condition, TrimState near)
+        {
+            solver.Near = near;
+            TrimState trim = solver.Solve(condition, near, out double[] residual);
+            solver.Near = null;
+            if (TrimSolver.Norm(residual) < TrimSolver.Closed)
+                return trim;
+            Log?.Invoke(solver.Missing(condition, residual));
+            return null;
+        }
 
         /// <summary>Trims over speeds and climbs, each also tried from its neighbours'; null where none closes.</summary>
         internal TrimState[,] Trims(TrimSolver solver, TrimTable table)
