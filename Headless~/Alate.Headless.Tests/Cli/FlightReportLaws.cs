@@ -123,7 +123,7 @@ public sealed class FlightReportLaws
         }
 
         Assert.That(Number(rows["stiffness EI of all chains, N m²"][3]), Is.EqualTo(kinds[0].Stiffness.Usual).Within(5).Percent);
-        Assert.That(Numbers("mean force right, up, ahead, mN"),
+        Assert.That(Numbers("mean force right, up, ahead of the body, mN"),
             Is.EqualTo(new[] { 1e3 * force.x, 1e3 * force.y, 1e3 * force.z }).Within(0.0051));
         Assert.That(Numbers("mean moment nose down, nose right, right wing up, µN m"),
             Is.EqualTo(new[] { 1e6 * moment.x, 1e6 * moment.y, 1e6 * moment.z }).Within(0.0051));

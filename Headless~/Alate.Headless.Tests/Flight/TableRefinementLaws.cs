@@ -5,7 +5,7 @@ using NUnit.Framework;
 
 namespace Alate.Tests.FreeFlights
 {
-    /// <summary>Where a table gets points, with trims that lie on a plane over speed and climb in place of flights.</summary>
+    /// <summary>Places at which a table gets points, with trims that lie on a plane over speed and climb in place of flights.</summary>
     public sealed class TableRefinementLaws
     {
         private const float k_Frequency = 10f;

@@ -47,7 +47,8 @@ namespace Alate.Flight
         /// Returns true where the insect flies by what is mixed of the trims around a condition, and comes to lie in the mixed attitude.
         /// </summary>
         public static bool Mixes(FlightModel model, TrimTable table, in FlightCondition condition) =>
-            Flies(model, table, condition, k_MixingSeconds, time => time > k_Counted * k_MixingSeconds ? k_MixingTilt : float.PositiveInfinity);
+            Flies(model, table, condition, k_MixingSeconds,
+                time => time > k_Counted * k_MixingSeconds ? k_MixingTilt : float.PositiveInfinity);
 
         private static bool Holds(FlightModel model, TrimTable table, in FlightCondition condition) =>
             Flies(model, table, condition, k_Seconds, _ => k_MostTilt);

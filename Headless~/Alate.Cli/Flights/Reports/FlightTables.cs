@@ -67,7 +67,7 @@ internal static class FlightTables
         Row(table, summary, "stiffness EI of all chains, N m²", wing => Scientific(wing.Stiffness.Whole),
             Scientific(summary.Main.Stiffness.Usual));
         Row(table, summary, "lift over weight", Number(summary.LiftOverWeight, 2));
-        Row(table, summary, "mean force right, up, ahead, mN", Milli(summary.MeanForce));
+        Row(table, summary, "mean force right, up, ahead of the body, mN", Milli(summary.MeanForce));
         Row(table, summary, "mean moment nose down, nose right, right wing up, µN m", Milli(1e3f * summary.MeanMoment));
         Row(table, summary, "Newton iterations, mean", Number(summary.NewtonIterationsMean, 2));
         Row(table, summary, "resets", Number(summary.Resets, 0));
