@@ -25,7 +25,19 @@ namespace Alate.Tests.Cli
 
         public string Errors => m_Errors.ToString();
 
-        public int Run(params string[] arguments) => Program.Run(arguments, m_Output, m_Errors);
+        /// <summary>Runs a command; every SVG page that it leaves in <see cref="Out"/> holds what is drawn on it.</summary>
+        /// <returns>The exit code.</returns>
+        public int Run(params string[] arguments)
+        {
+            int code = Program.Run(arguments, m_Output, m_Errors);
+            if (code == 0 && Directory.Exists(Out))
+            {
+                foreach (string page in Directory.EnumerateFiles(Out, "*.svg"))
+                    SvgBounds.AssertAllIsOnThePage(page);
+            }
+
+            return code;
+        }
 
         /// <summary>Writes a file into the folder.</summary>
         /// <returns>Its path.</returns>

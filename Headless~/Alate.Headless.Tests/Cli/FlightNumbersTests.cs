@@ -45,6 +45,15 @@ public sealed class FlightNumbersTests
     }
 
     [Test]
+    public void ANumberOfThreeAxes_ReachesAsFarBothWays()
+    {
+        FlightNumber[] places = s_All.Where(number => number.Word == "X,Y,Z").ToArray();
+        Assert.That(places, Has.Length.GreaterThan(2));
+        foreach (FlightNumber number in places)
+            Assert.That(number.Min, Is.EqualTo(-number.Max).And.Negative, number.Name);
+    }
+
+    [Test]
     public void RangesOfTheSliders_AreThoseOfTheManual()
     {
         string page = File.ReadAllText(Path.Combine(PackageRoot.Find(), "Documentation~", "live-view.md"));

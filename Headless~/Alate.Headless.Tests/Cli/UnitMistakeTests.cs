@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Globalization;
 using System.IO;
 using System.Linq;
 using Alate.Catalogue;
@@ -116,6 +117,16 @@ namespace Alate.Tests.Cli
             List<string> usual = MarksOf(text);
             Assert.That(text.Replace(right, wrong), Is.Not.EqualTo(text), "there is such a number");
             AssertFound(() => MarksOf(text.Replace(right, wrong)).Except(usual).ToList());
+        }
+
+        [Test]
+        public void VeinsOfAnotherUnit_AreToldBesideTheWingsLength()
+        {
+            using var run = new CommandRun();
+            string thick = s_Moth.Replace("[[0.5], [0.4], [0.3], [0.3], [0.2]]", "[[500], [400], [300], [300], [200]]");
+            double length = 1e3 * KnownSpecies.Find(run.Write("moth.insect.json", thick)).Wings[0].Length;
+            string told = string.Create(CultureInfo.InvariantCulture, $"is 500 mm wide, on a wing of {length:0.##} mm: is the unit mm?");
+            Assert.That(Marks(run, thick), Has.Some.EndsWith(told));
         }
 
         [Test]

@@ -58,7 +58,8 @@ namespace Alate.Catalogue
 
         private static PlanPoint Inward(Polyline margin, double distance, double reach)
         {
-            PlanPoint along = margin.At(Math.Min(margin.Length, distance + reach)) - margin.At(Math.Max(0, distance - reach));
+            // The margin ends where a reach is beyond it.
+            PlanPoint along = margin.At(distance + reach) - margin.At(distance - reach);
             return new PlanPoint(along.z, -along.x) * (1.0 / Math.Sqrt(along.LengthSquared));
         }
     }

@@ -60,6 +60,27 @@ namespace Alate.Tests
         }
 
         [Test]
+        public void ATextureOfOnePixel_IsPainted() =>
+            Assert.That(ColourTexture.Paint(Square(0f, 1f, new Color32(200, 100, 50, 255)), 1)[0], Is.EqualTo(new Color32(200, 100, 50, 255)));
+
+        // What lies beyond the texture is left out, and nothing of it comes in at the other side.
+        [Test]
+        public void PlacesBeyondTheTexture_AreNotPainted()
+        {
+            Color32[] pixels = ColourTexture.Paint(Square(0.5f, 1.5f, new Color32(200, 100, 50, 255)), 16);
+
+            for (int y = 0; y < 16; y++)
+            {
+                for (int x = 0; x < 16; x++)
+                {
+                    int beyond = Math.Max(8 - x, 8 - y);
+                    if (beyond <= 0 || beyond > 5)
+                        Assert.That(pixels[16 * y + x].a, Is.EqualTo(beyond <= 0 ? 255 : 0), $"pixel {x}, {y}");
+                }
+            }
+        }
+
+        [Test]
         public void ASurfaceWithoutColoursOrPlaces_AndASizeOfNothing_AreRefused()
         {
             SurfaceMesh bare = Square(0f, 1f, default);

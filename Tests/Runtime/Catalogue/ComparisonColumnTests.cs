@@ -94,11 +94,17 @@ namespace Alate.Tests
                 m_Full.Wave.chordDelay += 0.1f;
                 m_Full.Beat.flapRange -= 5f;
                 m_Full.Stiffness.elasticity *= 1.5f;
+                m_Full.Size.wingLength *= 1.2f;
+                m_Full.Size.insectMass *= 1.1f;
+                m_Full.SubstepsPerBeat += 4;
+                m_Full.Kinematics.frequency += 1f;
+                m_Full.Options.clampLift = !m_Full.Options.clampLift;
 
                 column.Refresh(m_Full, kept);
 
                 m_Copy = column.CreatePreset(m_Full);
                 Assert.That(kept.ToParameters(), Is.EqualTo(m_Copy.ToParameters()), column.Name);
+                Assert.That((kept.Size, kept.Kinematics.frequency), Is.EqualTo((m_Full.Size, m_Full.Kinematics.frequency)), column.Name);
                 UnityEngine.Object.DestroyImmediate(kept);
                 UnityEngine.Object.DestroyImmediate(m_Copy);
             }

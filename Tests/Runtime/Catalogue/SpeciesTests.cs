@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using Alate.Catalogue;
 using Alate.Fitting;
+using Alate.Flight;
 using NUnit.Framework;
 using UnityEngine;
 
@@ -46,6 +47,15 @@ namespace Alate.Tests
 
             Assert.That(meshed, Is.EqualTo(triangles));
             Assert.That(definition.TriangleCount, Is.EqualTo(triangles));
+        }
+
+        // A table knows the numbers that it was made of: mass, body, hinges, wings and beat.
+        [TestCaseSource(nameof(All))]
+        public void TheTrimTableOfASpecies_IsMadeOfItsPresentNumbers(InsectDefinition species)
+        {
+            using FlightModel model = CatalogueFlight.CreateModel(species);
+            using TrimTable table = CatalogueFlight.CreateTable(species, model);
+            Assert.That(table, Is.Not.Null);
         }
 
         // What was meshed for one insect is kept for the next.
