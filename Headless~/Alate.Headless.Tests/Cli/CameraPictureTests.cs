@@ -104,6 +104,17 @@ namespace Alate.Tests.Cli
         public void AnExifThatIsDamaged_SaysNothing(byte[] exif) => Assert.That(ExifTurn.Of(exif), Is.EqualTo(1));
 
         [Test]
+        public void AJpeg_IsAsLongAsItsLongestSide()
+        {
+            byte[] file = CameraPicture.Of("base");
+            var whole = JpegFile.Read(file, int.MaxValue);
+            int longest = Math.Max(whole.Width, whole.Height), shortest = Math.Min(whole.Width, whole.Height);
+            Assert.That(shortest, Is.LessThan(longest));
+            Assert.That(JpegFile.Read(file, longest).Pixels, Has.Length.EqualTo(longest * shortest));
+            Assert.That(() => JpegFile.Read(file, longest - 1), Throws.TypeOf<FormatException>().With.Message.Contains($"{longest - 1} a side"));
+        }
+
+        [Test]
         public void ADamagedJpeg_IsRefused_OrRead() => AssertReadOrRefused(90);
 
         [Test]

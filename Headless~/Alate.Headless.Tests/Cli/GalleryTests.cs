@@ -3,7 +3,9 @@ using System.Collections.Generic;
 using System.IO;
 using System.Linq;
 using Alate.Catalogue;
+using Alate.Drawing;
 using NUnit.Framework;
+using Unity.Mathematics;
 using Unity.StandIns;
 using UnityEngine;
 
@@ -45,6 +47,17 @@ namespace Alate.Tests.Cli
             Assert.That(Dark(picture), Is.LessThan(0.7 * Dark(m_Picture)));
             Assert.That(picture.Pixels.Count(pixel => pixel.b > pixel.r + 15), Is.GreaterThan(300), "blue rings");
             Assert.That(picture.Pixels[0], Is.EqualTo(paper));
+        }
+
+        // The same ground as that of every other page and photo.
+        [Test]
+        public void ThePaper_IsThatOfThePages()
+        {
+            var paper = (int3)math.round(255f * Shading.Paper);
+            Color32 corner = m_Picture.Pixels[0];
+            Assert.That((corner.r, corner.g, corner.b), Is.EqualTo(((byte)paper.x, (byte)paper.y, (byte)paper.z)));
+            Assert.That(paper.x, Is.GreaterThan(paper.y).And.GreaterThan(paper.z), "a warm white");
+            Assert.That(paper.y, Is.GreaterThan(paper.z));
         }
 
         [Test]

@@ -30,6 +30,7 @@ public sealed class LiveWakeTests
         for (int k = 0; k < sheets.Count; k++)
         {
             ViewState.Sheet sheet = sheets[k];
+            Assert.That(sheet.Width, Is.EqualTo(LiveWake.Panels + 1));
             Assert.That(sheet.Places.Count / sheet.Width, Is.InRange(14, 24), "a row a step but the first two, and the edge");
             Assert.That(sheet.Places, Has.All.Matches<float3>(place => math.length(place) < 4f * reach));
             for (int point = 0; point < sheet.Width; point++)
@@ -91,6 +92,42 @@ public sealed class LiveWakeTests
         Assert.That(Read(flight).Sheets[0], Is.Empty, "of the other air");
         Beat(flight, 0.3);
         Assert.That(Rows(flight), Is.InRange(3, before), "rows since then alone");
+    }
+
+    // Places of a plate that beats up and down, twice as far in the flight before.
+    [Test]
+    public void AWakeThatIsRestarted_KnowsNothingOfTheFlightBefore()
+    {
+        FlightPlan plan = Plan("fishfly");
+        using var wings = new TetheredWings(plan, Insect.Of(plan));
+        RecordedWing[] right = [.. wings.All.Where(wing => !wing.Placement.IsLeft)];
+        var grid = new WakeGrid(right[0], LiveWake.Panels);
+        wings.World.Step(1e-4f);
+        wings.World.Skin(1f);
+        float3[] rest = new float3[grid.Count];
+        grid.Take(wings.Vertices(0), wings.FrameOf(0), rest);
+        var pace = new WakePace(0.1f, plan.AirInBodyAxes);
+        WakeStepper Stepper() => new([right[0]], grid.Count, LiveWake.StepsPerBeat, LiveWake.Panels, true);
+        void Fly(WakeStepper stepper, int steps, float height)
+        {
+            for (int k = 0; k < steps; k++)
+            {
+                float rise = height * stepper.Length * (float)Math.Sin(2 * Math.PI * k / LiveWake.StepsPerBeat);
+                stepper.Step([.. rest.Select(place => place + new float3(0f, rise, 0f))], pace);
+            }
+        }
+
+        using WakeStepper used = Stepper(), fresh = Stepper();
+        Fly(used, 17, 0.6f);
+        used.Restart();
+        Assert.That(used.Wake, Is.Null);
+        Fly(used, 2, 0.3f);
+        Assert.That(used.Wake, Is.Null, "speeds of three moments");
+        Fly(fresh, 2, 0.3f);
+        Fly(used, 9, 0.3f);
+        Fly(fresh, 9, 0.3f);
+        Assert.That(used.Wake.StepCount, Is.EqualTo(fresh.Wake.StepCount).And.Positive);
+        Assert.That(used.Wake.Loads(0).Force, Is.EqualTo(fresh.Wake.Loads(0).Force));
     }
 
     [Test]
