@@ -103,16 +103,38 @@ namespace Alate.Tests
             for (int k = 29; k > 0; k--)
                 rim.Add(new PlanPoint(k, k % 2 == 0 ? 1.0 : 0.25));
             rim.Add(new PlanPoint(0, 1));
-            PlanPoint[] points = rim.ToArray();
+            AssertForced(rim.ToArray(), "");
+        }
+
+        // A long side between the teeth of two combs: neighbours across it are flipped away one after the other.
+        [Test]
+        public void ALongSideBetweenTwoCombs_IsForcedIn()
+        {
+            foreach (uint seed in Seeds.First(100))
+            {
+                var random = new Random(seed);
+                int teeth = random.NextInt(4, 30);
+                var rim = new List<PlanPoint> { new PlanPoint(0, 0), new PlanPoint(teeth, 0.01), new PlanPoint(teeth, 1.2) };
+                for (int k = teeth - 1; k >= 0; k--)
+                    rim.Add(new PlanPoint(k + 0.4 * random.NextDouble(), 0.1 + 0.9 * random.NextDouble()));
+                rim.AddRange(new[] { new PlanPoint(-2, 1.2), new PlanPoint(-2, -1.2), new PlanPoint(teeth, -1.2) });
+                for (int k = teeth - 1; k >= 0; k--)
+                    rim.Add(new PlanPoint(k + 0.4 * random.NextDouble(), -0.1 - 0.9 * random.NextDouble()));
+                AssertForced(rim.ToArray(), $"seed {seed}");
+            }
+        }
+
+        private static void AssertForced(PlanPoint[] points, string what)
+        {
             TriangleLinks mesh = DelaunayTriangulation.Inside(points, points.Length);
-            Assert.That(mesh.SideCount, Is.EqualTo(3 * (points.Length - 2)));
-            Assert.That(Area(mesh), Is.EqualTo(Polygon.Area(points)).Within(1e-9));
+            Assert.That(mesh.SideCount, Is.EqualTo(3 * (points.Length - 2)), what);
+            Assert.That(Area(mesh), Is.EqualTo(Polygon.Area(points)).Within(1e-9), what);
             int[] rimSides = Enumerable.Range(0, mesh.SideCount).Where(side => mesh.twins[side] < 0).ToArray();
-            Assert.That(rimSides.Select(side => mesh.corners[side]), Is.EquivalentTo(Enumerable.Range(0, points.Length)));
-            Assert.That(rimSides.All(side => mesh.End(side) == (mesh.corners[side] + 1) % points.Length));
-            Assert.That(Qualities(mesh).Min(), Is.Positive);
+            Assert.That(rimSides.Select(side => mesh.corners[side]), Is.EquivalentTo(Enumerable.Range(0, points.Length)), what);
+            Assert.That(rimSides.All(side => mesh.End(side) == (mesh.corners[side] + 1) % points.Length), what);
+            Assert.That(Qualities(mesh).Min(), Is.Positive, what);
             for (int side = 0; side < mesh.SideCount; side++)
-                Assert.That(mesh.IsAgainstDelaunay(side) && mesh.CanFlip(side), Is.False, $"side {side}");
+                Assert.That(mesh.IsAgainstDelaunay(side) && mesh.CanFlip(side), Is.False, $"{what}, side {side}");
         }
 
         private static PlanPoint[] Ring(int count, double x, double z) => Enumerable.Range(0, count)
