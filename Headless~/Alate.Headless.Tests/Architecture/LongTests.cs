@@ -1,6 +1,9 @@
 using System.Collections.Generic;
+using System.IO;
 using System.Linq;
 using System.Reflection;
+using System.Text.RegularExpressions;
+using Alate.Cli;
 using Alate.Tests.Play;
 using NUnit.Framework;
 
@@ -20,6 +23,24 @@ namespace Alate.Tests.Architecture
             Assert.That(places.Where(place => IsLong(place) != IsExplicit(place)).Select(Name), Is.Empty);
             Assert.That(places.SelectMany(place => place.GetCustomAttributes<TestCaseAttribute>(), (place, test) => (place, test))
                 .Where(one => one.test.Category == "Long" != one.test.Explicit).Select(one => Name(one.place)), Is.Empty);
+        }
+
+        // Both of its processes say which tests are theirs. NUnit runs no explicit test where a filter says which are not.
+        [Test]
+        public void EachHalfOfTheLongRun_NamesItsTests_AndTogetherTheyAreAll()
+        {
+            string project = File.ReadAllText(
+                Path.Combine(PackageRoot.Find(), "Headless~", "Alate.Headless.Tests", "Alate.Headless.Tests.csproj"));
+            string[][] halves = [.. Regex.Matches(project, "'TestCategory=Long'\">(.*)</").Select(half =>
+                half.Groups[1].Value.Trim('(', ')').Split('|').Select(name => name["FullyQualifiedName~".Length..]).ToArray())];
+            Assert.That(halves, Has.Length.EqualTo(2));
+            Assert.That(halves.SelectMany(names => names), Has.None.Contains("!").And.None.Contains("&"));
+
+            string[] tests = [.. typeof(LongTests).Assembly.GetTypes().SelectMany(type => type.GetMethods().Where(test => IsLong(type)
+                || IsLong(test) || test.GetCustomAttributes<TestCaseAttribute>().Any(one => one.Category == "Long"))
+                .Select(test => $"{type.FullName}.{test.Name}"))];
+            Assert.That(tests, Has.Length.GreaterThan(100));
+            Assert.That(tests.Where(test => halves.Count(names => names.Any(test.Contains)) != 1), Is.Empty);
         }
 
         private static bool IsLong(MemberInfo place) =>

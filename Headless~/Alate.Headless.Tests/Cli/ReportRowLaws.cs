@@ -35,20 +35,16 @@ public sealed class ReportRowLaws
             done => DragonflyRows.Tethered(s_Coarse, done), 0.05, 0.03, false);
 
     [Test]
-    [Explicit]
-    [Category("Long")]
     public void VariantsOfFlights_AreThoseOfTheReport() =>
         Compare(row => !Best(row) && Begins(row, "dragonfly, flight"), 15,
             done => DragonflyVariants.Flights(new Fineness(16, 32), done), 0.05, 0.03);
 
     [Test]
-    [Explicit]
-    [Category("Long")]
     public void VariantsOfATetheredDragonfly_AreThoseOfTheReport() =>
         Compare(row => (!Best(row) && Begins(row, "tethered dragonfly")) || Begins(row, "tethered dragonfly in still air")
             || Begins(row, "hovering dragonfly"), 5, done => DragonflyVariants.Tethered(new Fineness(24, 48), done), 0.05, 0.03);
 
-    [TestCase("monarch", Explicit = true, Category = "Long")]
+    [TestCase("monarch")]
     [TestCase("swallowtail", Explicit = true, Category = "Long")]
     public void AButterfly_IsThatOfTheReport(string species) =>
         Compare(row => Begins(row, species + ", free flight"), 1,
@@ -71,8 +67,6 @@ public sealed class ReportRowLaws
         Compare(row => Begins(row, "monarch, climbing"), 1, done => ButterflyRows.Climbing(new Fineness(24, 48), done), 0.06, 0.1, false);
 
     [Test]
-    [Explicit]
-    [Category("Long")]
     public void AHeldMonarch_IsThatOfTheReport() =>
         Compare(row => Begins(row, "monarch held "), 2, done => ButterflyRows.Held(new Fineness(64, 128), done), 0.35, 0.05, false);
 
@@ -82,15 +76,11 @@ public sealed class ReportRowLaws
             done => StructureRows.Droops(new Fineness(12, 24), done), 0.005, 0.001);
 
     [Test]
-    [Explicit]
-    [Category("Long")]
     public void StripsThatMove_AreThoseOfTheReport() =>
         Compare(row => Text(row, "table") == "strips" && !Text(row, "record").Contains("under a weight of"), 1,
             done => StructureRows.Motions(new Fineness(48, 96), done), 0.08, 1.5);
 
     [Test]
-    [Explicit]
-    [Category("Long")]
     public void Wakes_AreThoseOfTheReport() =>
         Compare(row => Text(row, "table") == "wakes", 4,
             done => WakeRows.Beating(done).Concat(WakeRows.Starting(done)).Concat(WakeRows.Steady(done)).Concat(WakeRows.Revolving(done)),
