@@ -51,8 +51,8 @@ async function range(name, beats = 2.2) {
 }
 
 // How much of the picture is not paper.
-async function painted() {
-  return page.evaluate(() => {
+async function painted(of = page) {
+  return of.evaluate(() => {
     alate.stage.render(true);
     const { canvas, renderer } = alate.stage, gl = renderer.getContext(), pixels = new Uint8Array(4 * gl.drawingBufferWidth * gl.drawingBufferHeight);
     gl.readPixels(0, 0, gl.drawingBufferWidth, gl.drawingBufferHeight, gl.RGBA, gl.UNSIGNED_BYTE, pixels);
@@ -69,6 +69,18 @@ const drop = (name, bytes) => browse.drop(page, [name, bytes]);
 const line = () => browse.line(page);
 
 const cases = {
+  // From the address to an insect in the picture, on a page of its own. The first one finds nothing in the browser's cache.
+  async first() {
+    const times = [];
+    for (let k = 0; k < 3; k++) {
+      const other = await open({ width: 1280, height: 800 });
+      const { share } = await painted(other);
+      times.push(await other.evaluate(() => performance.now()));
+      check(share > 0.003, `the insect covers ${share} of the first picture`);
+      await other.close();
+    }
+    console.log(`# first picture after ${times.map((time) => (time / 1000).toFixed(2)).join(', ')} s`);
+  },
   async beats() {
     const one = await state();
     await page.waitForTimeout(900);

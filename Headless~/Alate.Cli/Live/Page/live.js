@@ -1,13 +1,45 @@
 import { MAGIC, decode, magicOf } from './format.js';
 
-// The simulation behind a web socket. Comes back by itself when the server does, with what was set before.
+// Keeps what is told until somebody listens: all of it, and of the states the last one.
+class Waiting {
+  told = [];
+
+  constructor() {
+    ['hello', 'scene', 'settings', 'error', 'file', 'status'].forEach((name) => this[name] = (...values) => this.told.push([name, values]));
+  }
+
+  state(state) {
+    this.last = state;
+  }
+
+  async tell(listener) {
+    for (const [name, values] of this.told)
+      await listener[name](...values);
+    if (this.last)
+      listener.state(this.last);
+  }
+}
+
+// The simulation behind a web socket, which is opened before there is anything to draw with. Comes back by itself when the server does, with
+// what was set before.
 export class Live {
-  constructor(listener, wanted) {
-    this.listener = listener;
+  constructor(wanted) {
+    this.listener = new Waiting();
     this.wait = 500;
     this.wanted = wanted ?? null;
     this.received = 0;
     this.open();
+  }
+
+  listen(listener) {
+    const waiting = this.listener;
+    this.listener = listener;
+    waiting.tell(listener);
+  }
+
+  close() {
+    this.socket.onclose = null;
+    this.socket.close();
   }
 
   open() {

@@ -11,11 +11,12 @@ import * as share from './share.js';
 import { choose, chosen, isDark } from './theme.js';
 
 const get = (id) => document.getElementById(id), isLive = document.documentElement.dataset.mode === 'live';
+let link = share.read(location.hash);
+const live = isLive ? new Live(link?.wanted) : null;
 
 async function load() {
   try {
-    const [THREE, { OrbitControls }] = await Promise.all([import('three'), import('three/orbit')]);
-    const { Stage } = await import('./stage.js');
+    const [THREE, { OrbitControls }, { Stage }] = await Promise.all([import('three'), import('three/orbit'), import('./stage.js')]);
     return new Stage(THREE, OrbitControls, get('canvas'));
   } catch (problem) {
     if (problem instanceof TypeError || problem instanceof SyntaxError)
@@ -23,6 +24,7 @@ async function load() {
     else
       say(`WebGL 2 is not available in this browser (${problem.message}).`, 'bad');
     get('status').textContent = 'not loaded';
+    live?.close();
     return null;
   }
 }
@@ -175,7 +177,6 @@ if (stage) {
     },
   };
   const alate = window.alate = { stage, panel, get state() { return latest; }, get rate() { return rate; }, status: 'connecting' };
-  let link = share.read(location.hash);
   const restore = () => {
     if (link?.theme)
       choose(link.theme);
@@ -183,8 +184,9 @@ if (stage) {
       stage.view = link.view;
     link?.shown.filter((name) => document.querySelector(`[data-show="${CSS.escape(name)}"]`)).forEach((name) => actions.show(name, true));
   };
-  const source = isLive ? new Live(listener, link?.wanted) : new Baked(listener, link?.wanted);
+  const source = live ?? new Baked(listener, link?.wanted);
   alate.source = source;
+  live?.listen(listener);
   restore();
   addEventListener('hashchange', () => {
     link = share.read(location.hash);
