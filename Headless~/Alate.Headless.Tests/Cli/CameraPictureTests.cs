@@ -111,7 +111,8 @@ namespace Alate.Tests.Cli
             int longest = Math.Max(whole.Width, whole.Height), shortest = Math.Min(whole.Width, whole.Height);
             Assert.That(shortest, Is.LessThan(longest));
             Assert.That(JpegFile.Read(file, longest).Pixels, Has.Length.EqualTo(longest * shortest));
-            Assert.That(() => JpegFile.Read(file, longest - 1), Throws.TypeOf<FormatException>().With.Message.Contains($"{longest - 1} a side"));
+            Assert.That(() => JpegFile.Read(file, longest - 1),
+                Throws.TypeOf<FormatException>().With.Message.Contains($"{longest - 1} a side"));
         }
 
         [Test]

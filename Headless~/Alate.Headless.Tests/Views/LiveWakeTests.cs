@@ -104,10 +104,10 @@ public sealed class LiveWakeTests
         var grid = new WakeGrid(right[0], LiveWake.Panels);
         wings.World.Step(1e-4f);
         wings.World.Skin(1f);
-        float3[] rest = new float3[grid.Count];
+        var rest = new float3[grid.Count];
         grid.Take(wings.Vertices(0), wings.FrameOf(0), rest);
         var pace = new WakePace(0.1f, plan.AirInBodyAxes);
-        WakeStepper Stepper() => new([right[0]], grid.Count, LiveWake.StepsPerBeat, LiveWake.Panels, true);
+        WakeStepper Stepper() => new WakeStepper([right[0]], grid.Count, LiveWake.StepsPerBeat, LiveWake.Panels, true);
         void Fly(WakeStepper stepper, int steps, float height)
         {
             for (int k = 0; k < steps; k++)

@@ -41,8 +41,9 @@ namespace Alate.Tests.Views
 
         [Test]
         public void Page_DoesWhatItSays() => Try(
-            "view.mjs", "first", "beats", "rate", "slow", "speed", "wind", "amplitude", "frequency", "elasticity", "delay", "substeps", "pause",
-            "comparison", "overlays", "wake", "species", "files", "photographs", "insects", "landing", "badFiles", "phone", "reconnect");
+            "view.mjs", "first", "beats", "rate", "slow", "speed", "wind", "amplitude", "frequency", "elasticity", "delay", "substeps",
+            "pause", "comparison", "overlays", "wake", "species", "files", "photographs", "insects", "landing", "badFiles",
+            "phone", "reconnect");
 
         [Test]
         public void TwoMinutes_TakeNoMoreMemory_OfThePageAndOfTheServer()

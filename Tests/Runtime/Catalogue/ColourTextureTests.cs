@@ -60,8 +60,11 @@ namespace Alate.Tests
         }
 
         [Test]
-        public void ATextureOfOnePixel_IsPainted() =>
-            Assert.That(ColourTexture.Paint(Square(0f, 1f, new Color32(200, 100, 50, 255)), 1)[0], Is.EqualTo(new Color32(200, 100, 50, 255)));
+        public void ATextureOfOnePixel_IsPainted()
+        {
+            var colour = new Color32(200, 100, 50, 255);
+            Assert.That(ColourTexture.Paint(Square(0f, 1f, colour), 1)[0], Is.EqualTo(colour));
+        }
 
         // What lies beyond the texture is left out, and nothing of it comes in at the other side.
         [Test]
