@@ -26,7 +26,7 @@ internal static class FiguresCommand
     {
         var folder = new Argument<string>("DIR")
         {
-            Description = $"The folder of the documentation, with {k_Page}, {AccuracyFigures.Page} and {FlightFigures.Page} in it.",
+            Description = $"The folder of the documentation, with {k_Page}, {AccuracyFigures.Page}, {FlightFigures.Page} and {WakeFigures.Page} in it.",
             DefaultValueFactory = _ => "Documentation~",
         };
         var pictures =
@@ -77,8 +77,8 @@ internal static class FiguresCommand
     {
         string page = Text(Path.Combine(path, k_Page));
         string accuracy = Text(Path.Combine(path, AccuracyFigures.Page));
-        string flight = Text(Path.Combine(path, FlightFigures.Page));
-        string[] files = [k_Page, FlightFigures.Page, .. AccuracyFigures.Files, .. Pictures];
+        string flight = Text(Path.Combine(path, FlightFigures.Page)), wake = Text(Path.Combine(path, WakeFigures.Page));
+        string[] files = [k_Page, FlightFigures.Page, .. AccuracyFigures.Files, .. WakeFigures.Files, .. Pictures];
         Make(path, files, output, InsectCatalogue.All.Sum(species => species.Variants.Count) + 2, (folder, done, stage) =>
         {
             List<FlightSummary> summaries = Measure(InsectCatalogue.All, MeasuredSubsteps, done);
@@ -90,7 +90,7 @@ internal static class FiguresCommand
             stage("flying freely");
             Write(folder, FlightFigures.Page, FlightFigures.Make(flight));
             stage("measuring errors and winds");
-            foreach ((string name, string text) in AccuracyFigures.Make(accuracy))
+            foreach ((string name, string text) in AccuracyFigures.Make(accuracy).Concat(WakeFigures.Make(wake)))
                 Write(folder, name, text);
         });
     }

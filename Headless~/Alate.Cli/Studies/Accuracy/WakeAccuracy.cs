@@ -1,0 +1,100 @@
+using System.Diagnostics;
+using Alate.Wake;
+
+namespace Alate.Cli;
+
+/// <summary>Fineness of a wake and what came of it.</summary>
+/// <param name="Steps">Of a beat.</param>
+/// <param name="Panels">Panels or strips along the span.</param>
+/// <param name="ErrorPct">Distance of the mean force from that of the finest wake of its curve, % of the weight.</param>
+/// <param name="Cost">Time over that of the default fineness.</param>
+internal sealed record WakePoint(int Steps, int Panels, double ErrorPct, double Cost);
+
+/// <summary>
+/// Errors and costs of the wake of one flight over its steps and over its panels: each against a much finer run in that one direction, and
+/// the default against one that is finer in both.
+/// </summary>
+internal sealed class WakeAccuracy
+{
+    private static readonly int[] s_Steps = [12, 16, 24, 36, 48], s_Panels = [4, 6, 10, 16];
+    private const int k_Substeps = 96, k_FinestSteps = 96, k_FinestPanels = 32, k_BothSteps = 64, k_BothPanels = 24;
+
+    internal WakeAccuracy(string title) => Title = title;
+
+    /// <summary>Name of flight and method.</summary>
+    public string Title { get; }
+
+    /// <summary>From coarse to fine, with the default panels.</summary>
+    public List<WakePoint> OverSteps { get; } = [];
+
+    /// <summary>From coarse to fine, with the default steps.</summary>
+    public List<WakePoint> OverPanels { get; } = [];
+
+    /// <summary>Distance of the default's mean force from that of a wake that is finer in both, % of the weight.</summary>
+    public double DefaultErrorPct { get; internal set; }
+
+    /// <summary>A dragonfly's published flight by both methods, and a monarch that cruises.</summary>
+    /// <param name="done">Called after each of the three.</param>
+    public static List<WakeAccuracy> Measure(Action done)
+    {
+        MeasuredDragonfly measured = MeasuredDragonfly.Flights[1];
+        FlightRecord dragonfly = DragonflyRun.Fly(measured, true, k_Substeps, ownDrag: true).Record;
+        FlightRecord monarch = TetheredFlight.Fly(new FlightPlan
+        {
+            Species = "monarch",
+            Variant = InsectVariant.Flight,
+            Speed = 1.3,
+            PitchDegrees = 28,
+            Substeps = k_Substeps,
+        });
+        double weight = monarch.Wings[0].Wing.Preset.Size.insectMass * EarthGravity.Precise;
+        var made = new List<WakeAccuracy>();
+        foreach ((string title, FlightRecord flight, double carried, WakeMethod method) in new[]
+        {
+            ("dragonfly, published flight 2, strips", dragonfly, measured.Weight, WakeMethod.Strips),
+            ("the same, panels", dragonfly, measured.Weight, WakeMethod.Panels),
+            ("monarch at 1.3 m/s, strips", monarch, weight, WakeMethod.Strips),
+        })
+        {
+            var one = new WakeAccuracy(title);
+            one.Measure(flight, carried, new WakePlan { Method = method });
+            made.Add(one);
+            done();
+        }
+
+        return made;
+    }
+
+    private void Measure(FlightRecord flight, double weight, WakePlan plan)
+    {
+        (float3 Force, double Seconds) Shed(int steps, int panels)
+        {
+            using var wake = new WakeFlight(flight, plan with { StepsPerBeat = steps, SpanPanels = panels });
+            long start = Stopwatch.GetTimestamp();
+            List<WakeMoment> beat = wake.Run(_ => { });
+            double seconds = Stopwatch.GetElapsedTime(start).TotalSeconds;
+            float3 sum = beat.Aggregate(default(float3), (all, at) => all + at.Force);
+            return (sum / beat.Count, seconds);
+        }
+
+        // Compiled before it is timed.
+        Shed(s_Steps[0], s_Panels[0]);
+        (float3 usual, double cost) = Shed(plan.StepsPerBeat, plan.SpanPanels);
+        double Off(float3 force, float3 finest) => 100 * math.distance(force, finest) / weight;
+        (float3 force, _) = Shed(k_FinestSteps, plan.SpanPanels);
+        foreach (int steps in s_Steps)
+        {
+            (float3 ours, double seconds) = Shed(steps, plan.SpanPanels);
+            OverSteps.Add(new WakePoint(steps, plan.SpanPanels, Off(ours, force), seconds / cost));
+        }
+
+        (force, _) = Shed(plan.StepsPerBeat, k_FinestPanels);
+        foreach (int panels in s_Panels)
+        {
+            (float3 ours, double seconds) = Shed(plan.StepsPerBeat, panels);
+            OverPanels.Add(new WakePoint(plan.StepsPerBeat, panels, Off(ours, force), seconds / cost));
+        }
+
+        DefaultErrorPct = Off(usual, Shed(k_BothSteps, k_BothPanels).Force);
+    }
+}
