@@ -16,8 +16,14 @@ internal sealed record WakePoint(int Steps, int Panels, double ErrorPct, double 
 /// </summary>
 internal sealed class WakeAccuracy
 {
-    private static readonly int[] s_Steps = [12, 16, 24, 36, 48], s_Panels = [4, 6, 10, 16];
-    private const int k_Substeps = 96, k_FinestSteps = 96, k_FinestPanels = 32, k_BothSteps = 64, k_BothPanels = 24;
+    private static readonly int[] s_Steps = [12, 16, 24, 36, 48], s_Panels = [4, 6, 8, 10, 12];
+
+    /// <summary>
+    /// Finest runs. Strips narrower than a sixteenth of a wing have no single circulation where the wing stalls: they are no reference.
+    /// </summary>
+    private const int k_FinestSteps = 96, k_FinestPanels = 16, k_BothSteps = 64;
+
+    private const int k_Substeps = 96;
 
     internal WakeAccuracy(string title) => Title = title;
 
@@ -95,6 +101,6 @@ internal sealed class WakeAccuracy
             OverPanels.Add(new WakePoint(plan.StepsPerBeat, panels, Off(ours, force), seconds / cost));
         }
 
-        DefaultErrorPct = Off(usual, Shed(k_BothSteps, k_BothPanels).Force);
+        DefaultErrorPct = Off(usual, Shed(k_BothSteps, k_FinestPanels).Force);
     }
 }
