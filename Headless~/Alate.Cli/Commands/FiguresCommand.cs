@@ -26,7 +26,8 @@ internal static class FiguresCommand
     {
         var folder = new Argument<string>("DIR")
         {
-            Description = $"The folder of the documentation, with {k_Page}, {AccuracyFigures.Page}, {FlightFigures.Page} and {WakeFigures.Page} in it.",
+            Description = $"The folder of the documentation, with {k_Page}, {AccuracyFigures.Page}, {FlightFigures.Page} and "
+                + $"{WakeFigures.Page} in it.",
             DefaultValueFactory = _ => "Documentation~",
         };
         var pictures =

@@ -31,8 +31,8 @@ public sealed class WakeAccuracyTests
         SvgBounds.AssertAllIsOnThePage(file);
 
         XNamespace svg = "http://www.w3.org/2000/svg";
-        (double X, double Y)[] rings = [.. XDocument.Load(file).Descendants(svg + "circle").Where(ring => ring.Attribute("fill").Value == "none")
-            .Select(ring => (Number(ring, "cx"), Number(ring, "cy")))];
+        (double X, double Y)[] rings = [.. XDocument.Load(file).Descendants(svg + "circle")
+            .Where(ring => ring.Attribute("fill").Value == "none").Select(ring => (Number(ring, "cx"), Number(ring, "cy")))];
         Assert.That(rings, Has.Length.EqualTo(1 + 2 * 2), "in the legend, and two a chart");
         Assert.That(rings[1], Is.EqualTo(rings[2]), "one default");
         Assert.That(rings[3].Y, Is.EqualTo(rings[1].Y), "side by side");
@@ -50,7 +50,7 @@ public sealed class WakeAccuracyTests
     public void ThePagesErrors_AreThoseOfToday()
     {
         string folder = Path.Combine(PackageRoot.Find(), "Documentation~"), file = Path.Combine(folder, WakeFigures.Page);
-        List<WakeAccuracy> wakes = WakeAccuracy.Measure(() => { });
+        List<WakeAccuracy> wakes = WakeFigures.Measure();
         if (Environment.GetEnvironmentVariable("ALATE_WRITE_FIGURES") == "1")
         {
             foreach ((string name, string text) in WakeFigures.Make(File.ReadAllText(file).ReplaceLineEndings("\n"), wakes))

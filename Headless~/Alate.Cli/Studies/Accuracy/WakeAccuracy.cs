@@ -23,8 +23,6 @@ internal sealed class WakeAccuracy
     /// </summary>
     private const int k_FinestSteps = 96, k_FinestPanels = 16, k_BothSteps = 64;
 
-    private const int k_Substeps = 96;
-
     internal WakeAccuracy(string title) => Title = title;
 
     /// <summary>Name of flight and method.</summary>
@@ -39,35 +37,15 @@ internal sealed class WakeAccuracy
     /// <summary>Distance of the default's mean force from that of a wake that is finer in both, % of the weight.</summary>
     public double DefaultErrorPct { get; internal set; }
 
-    /// <summary>A dragonfly's published flight by both methods, and a monarch that cruises.</summary>
-    /// <param name="done">Called after each of the three.</param>
-    public static List<WakeAccuracy> Measure(Action done)
+    /// <summary>Sheds the wakes of a flight.</summary>
+    /// <param name="title">Name of flight and method.</param>
+    /// <param name="flight">The flight.</param>
+    /// <param name="weight">By which forces are told, N.</param>
+    /// <param name="method">Of the wake.</param>
+    public static WakeAccuracy Of(string title, FlightRecord flight, double weight, WakeMethod method)
     {
-        MeasuredDragonfly measured = MeasuredDragonfly.Flights[1];
-        FlightRecord dragonfly = DragonflyRun.Fly(measured, true, k_Substeps, ownDrag: true).Record;
-        FlightRecord monarch = TetheredFlight.Fly(new FlightPlan
-        {
-            Species = "monarch",
-            Variant = InsectVariant.Flight,
-            Speed = 1.3,
-            PitchDegrees = 28,
-            Substeps = k_Substeps,
-        });
-        double weight = monarch.Wings[0].Wing.Preset.Size.insectMass * EarthGravity.Precise;
-        var made = new List<WakeAccuracy>();
-        foreach ((string title, FlightRecord flight, double carried, WakeMethod method) in new[]
-        {
-            ("dragonfly, published flight 2, strips", dragonfly, measured.Weight, WakeMethod.Strips),
-            ("the same, panels", dragonfly, measured.Weight, WakeMethod.Panels),
-            ("monarch at 1.3 m/s, strips", monarch, weight, WakeMethod.Strips),
-        })
-        {
-            var one = new WakeAccuracy(title);
-            one.Measure(flight, carried, new WakePlan { Method = method });
-            made.Add(one);
-            done();
-        }
-
+        var made = new WakeAccuracy(title);
+        made.Measure(flight, weight, new WakePlan { Method = method });
         return made;
     }
 
