@@ -79,7 +79,7 @@ internal static class FiguresCommand
         string page = Text(Path.Combine(path, k_Page));
         string accuracy = Text(Path.Combine(path, AccuracyFigures.Page));
         string flight = Text(Path.Combine(path, FlightFigures.Page)), wake = Text(Path.Combine(path, WakeFigures.Page));
-        string[] files = [k_Page, FlightFigures.Page, .. AccuracyFigures.Files, .. WakeFigures.Files, .. Pictures];
+        string[] files = [k_Page, FlightFigures.Page, WanderFigures.Picture, .. AccuracyFigures.Files, .. WakeFigures.Files, .. Pictures];
         Make(path, files, output, InsectCatalogue.All.Sum(species => species.Variants.Count) + 2, (folder, done, stage) =>
         {
             List<FlightSummary> summaries = Measure(InsectCatalogue.All, MeasuredSubsteps, done);
@@ -89,7 +89,9 @@ internal static class FiguresCommand
             Write(folder, k_Page, page);
             WritePictures(folder, stage);
             stage("flying freely");
-            Write(folder, FlightFigures.Page, FlightFigures.Make(flight));
+            (flight, string wandering) = WanderFigures.Make(FlightFigures.Make(flight));
+            Write(folder, FlightFigures.Page, flight);
+            Write(folder, WanderFigures.Picture, wandering);
             stage("measuring errors and winds");
             foreach ((string name, string text) in AccuracyFigures.Make(accuracy).Concat(WakeFigures.Make(wake)))
                 Write(folder, name, text);

@@ -24,6 +24,7 @@ internal sealed class FreeOptions
         Description = "With --free: a file of places, X,Y,Z in metres a line, flown one after the other.",
     };
     private readonly Option<int?> m_Seed = Numbers.OptionalCount(FlightNumbers.Seed);
+    private readonly Option<double> m_Erratic = Numbers.Option(FlightNumbers.Erratic);
     private readonly Option<double[]> m_Gust = Numbers.Vector(FlightNumbers.Gust);
     private readonly Option<double> m_Aid = Numbers.Option(FlightNumbers.Aid);
     private readonly Option<double> m_Step = Numbers.Option(FlightNumbers.Step);
@@ -48,7 +49,7 @@ internal sealed class FreeOptions
     /// <summary>Option that names the file of a recording.</summary>
     public Option Record => m_Record;
 
-    private Option[] Flown => [m_Pilot, m_To, m_Points, m_Seed, m_Gust, m_Aid, m_Step, m_Unguarded];
+    private Option[] Flown => [m_Pilot, m_To, m_Points, m_Seed, m_Erratic, m_Gust, m_Aid, m_Step, m_Unguarded];
 
     public void AddTo(Command command)
     {
@@ -89,6 +90,7 @@ internal sealed class FreeOptions
             Pilot = PilotOf(parsed),
             Points = PointsOf(parsed),
             Seed = parsed.GetValue(m_Seed) ?? (int)FlightNumbers.Seed.Default,
+            Erratic = parsed.GetValue(m_Erratic),
             Seconds = Math.Max(seconds ?? k_DefaultSeconds, parsed.GetValue(m_Step)),
             Gust = gust is { Length: 3 } ? new float3((float)gust[0], (float)gust[1], (float)gust[2]) : default,
             Aid = parsed.GetValue(m_Aid),
@@ -125,17 +127,20 @@ internal sealed class FreeOptions
 
     private FreePilot PilotOf(ParseResult parsed)
     {
-        FreePilot implied = FreePilot.All.FirstOrDefault(one => one.NeedsIt && IsGiven(parsed, OptionOf(one))) ?? FreePilot.Hover;
+        FreePilot implied = FreePilot.All.FirstOrDefault(one => one.NeedsIt && IsGiven(parsed, OptionOf(one.Takes[0]))) ?? FreePilot.Hover;
         FreePilot pilot = parsed.GetValue(m_Pilot) is { } name ? FreePilot.Find(name) : implied;
-        if (pilot.NeedsIt && !IsGiven(parsed, OptionOf(pilot)))
-            throw new UserException($"--pilot {pilot.Name} needs {pilot.Takes} {OptionOf(pilot).HelpName}.");
-        FreePilot other = FreePilot.All.FirstOrDefault(one => one != pilot && one.Takes != null && IsGiven(parsed, OptionOf(one)));
-        return other == null
-            ? pilot
-            : throw new UserException($"--pilot {pilot.Name} takes no {other.Takes}; it goes with --pilot {other.Name}.");
+        if (pilot.NeedsIt && !IsGiven(parsed, OptionOf(pilot.Takes[0])))
+            throw new UserException($"--pilot {pilot.Name} needs {pilot.Takes[0]} {OptionOf(pilot.Takes[0]).HelpName}.");
+        foreach (FreePilot other in FreePilot.All.Where(one => one != pilot))
+        {
+            if (Array.Find(other.Takes, name => IsGiven(parsed, OptionOf(name))) is { } given)
+                throw new UserException($"--pilot {pilot.Name} takes no {given}; it goes with --pilot {other.Name}.");
+        }
+
+        return pilot;
     }
 
-    private Option OptionOf(FreePilot pilot) => Flown.First(option => option.Name == pilot.Takes);
+    private Option OptionOf(string name) => Flown.First(option => option.Name == name);
 
     private List<float3> PointsOf(ParseResult parsed) => parsed.GetValue(m_Points) is { } file ? Read(file)
         : parsed.GetValue(m_To) is { Length: 3 } to ? [new float3((float)to[0], (float)to[1], (float)to[2])]

@@ -4,15 +4,16 @@ namespace Alate.Cli;
 
 /// <summary>A pilot that a user names: the option that says where to, and how the pilot is made of it.</summary>
 /// <param name="Name">Name, as <c>--pilot</c> takes it.</param>
-/// <param name="Takes">Option that goes with this pilot alone; null for none.</param>
-/// <param name="NeedsIt">True where that option has no default.</param>
+/// <param name="Takes">Options that go with this pilot alone.</param>
+/// <param name="NeedsIt">True where the first of them has no default.</param>
 /// <param name="Create">Makes the pilot of a plan, for the trims of the plan's insect.</param>
-internal sealed record FreePilot(string Name, string Takes, bool NeedsIt, Func<FreePlan, TrimTable, IFlightPilot> Create)
+internal sealed record FreePilot(string Name, string[] Takes, bool NeedsIt, Func<FreePlan, TrimTable, IFlightPilot> Create)
 {
-    public static readonly FreePilot Hover = new("hover", null, false, (_, trims) => Visit([default], trims));
-    public static readonly FreePilot GoTo = new("goto", "--to", true, (plan, trims) => Visit(plan.Points, trims));
-    public static readonly FreePilot Points = new("points", "--points", true, (plan, trims) => Visit(plan.Points, trims));
-    public static readonly FreePilot Wander = new("wander", "--seed", false, (plan, _) => new CoursePilot(plan.Seed));
+    public static readonly FreePilot Hover = new("hover", [], false, (_, trims) => Visit([default], trims));
+    public static readonly FreePilot GoTo = new("goto", ["--to"], true, (plan, trims) => Visit(plan.Points, trims));
+    public static readonly FreePilot Points = new("points", ["--points"], true, (plan, trims) => Visit(plan.Points, trims));
+    public static readonly FreePilot Wander = new("wander", ["--seed", "--erratic"], false,
+        (plan, _) => new CoursePilot(plan.Seed, plan.Erratic));
 
     public static IReadOnlyList<FreePilot> All { get; } = [Hover, GoTo, Points, Wander];
 

@@ -13,6 +13,9 @@ internal sealed record FreePlan
     /// <summary>Seed of an erratic track.</summary>
     public int Seed { get; init; } = (int)FlightNumbers.Seed.Default;
 
+    /// <summary>Liveliness of an erratic track, 0 to 1.</summary>
+    public double Erratic { get; init; }
+
     public double Seconds { get; init; } = 10;
 
     /// <summary>Velocity of a gust of one second in the middle of the flight, m/s.</summary>

@@ -122,6 +122,12 @@ internal static class FlightNumbers
         Default = 1,
     };
 
+    public static FlightNumber Erratic { get; } = new("erratic", 0, 1)
+    {
+        Word = "E",
+        Help = "With --free: liveliness of the track of --pilot wander, {range}.",
+    };
+
     public static FlightNumber Gust { get; } = new("gust", -20, 20)
     {
         Word = "X,Y,Z",

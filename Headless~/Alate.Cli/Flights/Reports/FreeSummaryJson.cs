@@ -52,6 +52,7 @@ internal static class FreeSummaryJson
                 Vector(json, null, point);
             json.WriteEndArray();
             json.WriteNumber("seed", plan.Seed);
+            Number(json, "erratic", plan.Erratic);
             Vector(json, "gust_m_s", plan.Gust);
             Number(json, "aid", plan.Aid);
             Number(json, "step_s", plan.Step);

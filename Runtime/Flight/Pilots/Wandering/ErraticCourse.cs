@@ -10,14 +10,16 @@ namespace Alate.Flight
     /// </summary>
     public sealed class ErraticCourse
     {
-        /// <summary>Parts of the fastest turn that are asked for: at random, and back from the rim.</summary>
-        private const float k_TurnShare = 0.4f, k_BackShare = 0.8f;
+        /// <summary>Parts of the fastest turn that are asked for: at random, calm and erratic, and back from the rim.</summary>
+        private const float k_TurnShare = 0.4f, k_MostTurnShare = 1f, k_BackShare = 0.8f;
 
         /// <summary>
-        /// Part of the acceleration that is asked for, and part with which the insect counts on its way to the rim: a monarch that uses all
-        /// of it again and again tumbles.
+        /// Parts of the acceleration that are asked for, calm and erratic, and part with which the insect counts on its way to the rim.
         /// </summary>
-        private const float k_Acceleration = 0.45f, k_Rim = 0.3f;
+        private const float k_Acceleration = 0.45f, k_MostAcceleration = 1f, k_Rim = 0.3f;
+
+        /// <summary>Factors of an erratic track on the time between turns and on their spread.</summary>
+        private const float k_Shorter = 0.5f, k_Wider = 1.3f;
 
         /// <summary>Part of the speed that is kept at the rim: an insect that stops there stalls.</summary>
         private const float k_Least = 0.2f;
@@ -28,8 +30,8 @@ namespace Alate.Flight
         /// <summary>Largest angle off the way to the middle of a turn back from the rim, radians.</summary>
         private const float k_Homeward = 1f;
 
-        /// <summary>Range of the speed about its mean, a share.</summary>
-        private const float k_SpeedSpread = 0.3f;
+        /// <summary>Range of the speed about its mean, calm and erratic, a share.</summary>
+        private const float k_SpeedSpread = 0.3f, k_MostSpeedSpread = 0.8f;
 
         private Random m_Random;
         private float3 m_Wanted;
@@ -57,14 +59,16 @@ namespace Alate.Flight
             Turn(situation, limits, volume, settings, speed);
             Climb(situation.limits, settings, dt);
 
-            float rate = (m_TurnsBack ? k_BackShare : k_TurnShare) * all.TurnRate(speed);
+            float turn = math.lerp(k_TurnShare, k_MostTurnShare, settings.erratic);
+            float rate = (m_TurnsBack ? math.max(k_BackShare, turn) : turn) * all.TurnRate(speed);
             m_Course = Headings.Wrap(m_Course + math.clamp(Headings.Wrap(m_WantedCourse - m_Course), -rate * dt, rate * dt));
             float3 wanted = speed * Along(m_Course) + new float3(0f, m_Climb, 0f);
             wanted = volume.Hold(wanted, situation.position, limits, situation.unitsPerMetre);
             if (math.length(wanted.xz) < k_Least * speed)
                 wanted.xz = k_Least * speed * Along(m_Course).xz;
             float3 change = wanted - m_Wanted;
-            m_Wanted += change * math.min(1f, k_Acceleration * all.Acceleration * dt / math.max(math.length(change), 1e-6f));
+            float acceleration = math.lerp(k_Acceleration, k_MostAcceleration, settings.erratic) * all.Acceleration;
+            m_Wanted += change * math.min(1f, acceleration * dt / math.max(math.length(change), 1e-6f));
             if (math.all(math.isfinite(m_Wanted)) && math.isfinite(m_Course + m_WantedCourse + m_Left + m_Climb))
                 return m_Wanted;
 
@@ -108,7 +112,8 @@ namespace Alate.Flight
             }
             else if (m_Left <= 0f)
             {
-                float course = m_WantedCourse + math.radians(settings.turnSpread) * Normal();
+                float spread = math.min(settings.turnSpread * math.lerp(1f, k_Wider, settings.erratic), WanderBounds.TurnSpread.Max);
+                float course = m_WantedCourse + math.radians(spread) * Normal();
                 float3 biased = Along(course) + settings.homing
                     * math.saturate(math.length(home.xz) / (0.5f * math.cmin(math.abs(((float3)volume.size).xz)))) * Along(homeward);
                 m_WantedCourse = Elementary.Atan2(biased.x, biased.z);
@@ -119,8 +124,8 @@ namespace Alate.Flight
         // Straight stretches of exponential length: turns that come at random.
         private void Stretch(in WanderSettings settings)
         {
-            m_Left = -settings.straightTime * Elementary.Log(1f - m_Random.NextFloat());
-            m_Pace = 1f + k_SpeedSpread * m_Random.NextFloat(-1f, 1f);
+            m_Left = -settings.straightTime * math.lerp(1f, k_Shorter, settings.erratic) * Elementary.Log(1f - m_Random.NextFloat());
+            m_Pace = 1f + math.lerp(k_SpeedSpread, k_MostSpeedSpread, settings.erratic) * m_Random.NextFloat(-1f, 1f);
         }
 
         // An Ornstein-Uhlenbeck process, exact for any step.
