@@ -14,29 +14,39 @@ namespace Alate.Tests.Flight
 
         private static readonly FlightVolume s_Open = new FlightVolume(VolumeShape.Box, Vector3.zero, 1e6f * Vector3.one);
 
-        // Straight on and level the speed alone changes: from stretch to stretch, evenly within 30 % of the mean.
-        [Test]
-        public void Speeds_AreWithinThirtyPercentOfTheMean()
+        // Straight on and level the speed alone changes: from stretch to stretch, evenly within 30 % of the mean, or 80 % where erratic.
+        [TestCase(0f, 0.3f)]
+        [TestCase(0.4f, 0.5f)]
+        [TestCase(1f, 0.8f)]
+        public void Speeds_AreWithinThirtyPercentOfTheMean_OrMoreWhereErratic(float erratic, float spread)
         {
-            float[] speeds = Plateaus(Track(Straight(2f), 4000f), v => math.length(v));
-            Assert.That(speeds.Min(), Is.InRange(0.7f * 0.8f - 1e-3f, 0.73f * 0.8f));
-            Assert.That(speeds.Max(), Is.InRange(1.27f * 0.8f, 1.3f * 0.8f + 1e-3f));
-            Assert.That(speeds.Average(), Is.EqualTo(0.8f).Within(0.02f));
+            WanderSettings settings = Straight(4f);
+            settings.speed = 0.7f;
+            settings.erratic = erratic;
+            float[] speeds = Plateaus(Track(settings, 4000f), v => math.length(v));
+            Assert.That(speeds.Min(), Is.InRange((1f - spread) * 0.7f - 1e-3f, (1.03f - spread) * 0.7f));
+            Assert.That(speeds.Max(), Is.InRange((0.97f + spread) * 0.7f, (1f + spread) * 0.7f + 1e-3f));
+            Assert.That(speeds.Average(), Is.EqualTo(0.7f).Within(0.03f));
         }
 
         // A few stretches are over before their speed is reached.
         [Test]
-        public void Stretches_LastTheirTimeOnAverage([Values(2f, 4f)] float time)
+        public void Stretches_LastTheirTimeOnAverage_OrHalfOfItWhereErratic([Values(2f, 4f)] float time, [Values(0f, 1f)] float erratic)
         {
-            int stretches = Plateaus(Track(Straight(time), 4000f), v => math.length(v)).Length;
-            Assert.That(4000f / stretches, Is.EqualTo(1.08f * time).Within(0.15f * time));
+            WanderSettings settings = Straight(time);
+            settings.erratic = erratic;
+            int stretches = Plateaus(Track(settings, 4000f), v => math.length(v)).Length;
+            float expected = (1f - 0.5f * erratic) * time;
+            Assert.That(4000f / stretches, Is.EqualTo(1.08f * expected).Within(0.15f * expected));
         }
 
         [Test]
-        public void Turns_HaveTheirSpread([Values(15f, 30f)] float degrees)
+        public void Turns_HaveTheirSpread_AndThreeTenthsMoreWhereErratic([Values(15f, 30f)] float degrees, [Values(0f, 1f)] float erratic)
         {
-            WanderSettings settings = Straight(4f);
+            WanderSettings settings = Straight(4f * (1f + erratic));
             settings.turnSpread = degrees;
+            settings.erratic = erratic;
+            degrees *= 1f + 0.3f * erratic;
             float[] courses = Plateaus(Track(settings, 8000f), v => math.atan2(v.x, v.z));
             float sum = 0f, mean = 0f;
             for (int k = 1; k < courses.Length; k++)
@@ -80,12 +90,14 @@ namespace Alate.Tests.Flight
             Assert.That(climb.Max(), Is.EqualTo(0.2f).Within(1e-4f));
         }
 
-        [Test]
-        public void NoTurn_AndNoChange_IsFasterThanItsShareOfTheInsects()
+        [TestCase(0f, 0.4f, 0.45f)]
+        [TestCase(1f, 1f, 1f)]
+        public void NoTurn_AndNoChange_IsFasterThanItsShareOfTheInsects(float erratic, float turns, float changes)
         {
             WanderSettings settings = WanderSettings.Default;
             settings.turnSpread = 150f;
             settings.speed = 1.2f;
+            settings.erratic = erratic;
             FlightSituation situation = Situation(k_Step);
             var course = new ErraticCourse(3);
             float turning = 0f, change = 0f;
@@ -99,19 +111,20 @@ namespace Alate.Tests.Flight
                 last = now;
             }
 
-            Assert.That(turning, Is.EqualTo(0.4f * situation.limits.TurnRate(1.2f)).Within(0.01f));
-            Assert.That(change, Is.EqualTo(0.45f * 2.5f).Within(0.01f));
+            Assert.That(turning, Is.EqualTo(turns * situation.limits.TurnRate(1.2f)).Within(0.01f));
+            Assert.That(change, Is.EqualTo(changes * 2.5f).Within(0.01f));
         }
 
         // Towards the rim the insect turns back, twice as fast, to within 1 rad of the way home.
         [Test]
-        public void BeforeTheRim_TheCourseTurnsHome([Values(1, 2, 3, 4, 5)] int seed)
+        public void BeforeTheRim_TheCourseTurnsHome([Values(1, 2, 3, 4, 5)] int seed, [Values(0f, 1f)] float erratic)
         {
             var volume = new FlightVolume(VolumeShape.Box, Vector3.zero, new Vector3(20f, 20f, 20f));
             FlightSituation situation = Situation(k_Step);
             situation.position = new float3(0f, 0f, 9f);
             var course = new ErraticCourse(seed);
             WanderSettings settings = Straight(20f);
+            settings.erratic = erratic;
             float turning = 0f;
             for (int step = 0; step < 150; step++)
             {
@@ -121,7 +134,7 @@ namespace Alate.Tests.Flight
             }
 
             Assert.That(math.abs(Headings.Wrap(course.Course - math.PI)), Is.LessThan(1.01f));
-            Assert.That(turning, Is.EqualTo(0.8f * situation.limits.TurnRate(1f)).Within(0.01f));
+            Assert.That(turning, Is.EqualTo((erratic > 0f ? 1f : 0.8f) * situation.limits.TurnRate(1f)).Within(0.01f));
         }
 
         [Test]
