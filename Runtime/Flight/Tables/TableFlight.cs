@@ -56,7 +56,8 @@ namespace Alate.Flight
         private static bool Flies(
             FlightModel model, TrimTable table, in FlightCondition condition, float seconds, Func<double, float> mostTilt)
         {
-            using var flight = new FreeFlight(model, table, condition);
+            // Between the points themselves: the guard of commands keeps a slow insect from climbing and sinking as fast.
+            using var flight = new FreeFlight(model, table, condition) { GuardCommands = false };
             var command = FlightCommand.Fly(new float3(0f, condition.Climb, condition.Speed), 0f);
             while (flight.Time < seconds)
             {
