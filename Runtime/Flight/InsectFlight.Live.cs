@@ -190,6 +190,9 @@ namespace Alate.Flight
             return situation;
         }
 
+        /// <summary>World units of a metre of the insect.</summary>
+        internal float UnitsPerMetre => m_Units;
+
         private float3 Legs => ((float3)m_Live.wings[0].values.Feet - m_Model.Centre) * m_Units;
 
         private void Perch(ref FlyingBody body, in PerchSpot spot)
