@@ -29,7 +29,8 @@ namespace Alate.Tests.Cli
             Assert.That((skeleton.ChainCount, skeleton.JointsPerChain), Is.EqualTo((6, 4)));
             Assert.That(skeleton.Hinge, Is.EqualTo(Vector3.zero));
             Assert.That(File.ReadAllText(Path.Combine(m_Run.Out, "skeleton.svg")), Does.StartWith("<svg"));
-            Assert.That(m_Run.Output, Does.Contain("6 chains of 4 joints, confidence 1.00."));
+            Assert.That(m_Run.Output, Does.Contain("6 chains of 4 joints, confidence 1.00.")
+                .And.Contain($"Wrote skeleton.json and skeleton.svg into {m_Run.Out}."));
         }
 
         [Test]

@@ -40,6 +40,18 @@ namespace Alate.Tests.Play
         public IEnumerator LeftAndRightWing_OfAnyOtherSpecies_AreMirrorImages(
             [Values("swallowtail", "firefly", "painted-lichen-moth", "snailfish")] string name) => AssertMirrored(name);
 
+        [Test]
+        public void ForeWings_ComeFirst_AndHindWingsBehindThem_WithAPresetOfTheirOwn()
+        {
+            InsectWings insect = Made("dragonfly");
+            Assert.That(insect.Wings.ConvertAll(wing => (wing.Pair, wing.Side)), Is.EqualTo(new[]
+            {
+                (WingPair.Fore, WingSide.Right), (WingPair.Fore, WingSide.Left),
+                (WingPair.Hind, WingSide.Right), (WingPair.Hind, WingSide.Left),
+            }));
+            Assert.That(insect.Wings.ConvertAll(wing => wing.Preset == null), Is.EqualTo(new[] { true, true, false, false }), "the insect's");
+        }
+
         [UnityTest]
         public IEnumerator InsectsOfOneSpecies_ShareEverythingButTheirLivingMeshes()
         {
