@@ -2,7 +2,6 @@ using System;
 using System.Collections.Generic;
 using System.IO;
 using System.Linq;
-using Alate.Catalogue;
 using Alate.Cli;
 using NUnit.Framework;
 using Unity.Mathematics;
