@@ -49,7 +49,8 @@ namespace Alate.Tests.Play
                 (WingPair.Fore, WingSide.Right), (WingPair.Fore, WingSide.Left),
                 (WingPair.Hind, WingSide.Right), (WingPair.Hind, WingSide.Left),
             }));
-            Assert.That(insect.Wings.ConvertAll(wing => wing.Preset == null), Is.EqualTo(new[] { true, true, false, false }), "the insect's");
+            Assert.That(
+                insect.Wings.ConvertAll(wing => wing.Preset == null), Is.EqualTo(new[] { true, true, false, false }), "the insect's");
         }
 
         [UnityTest]
