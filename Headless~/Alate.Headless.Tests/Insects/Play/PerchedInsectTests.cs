@@ -36,7 +36,7 @@ namespace Alate.Tests.Play
         [Category("Long")]
         public IEnumerator OnTwoHundredSlopes_InsectsSit_AndNoWingIsBelowThem(
             [Values("monarch", "swallowtail", "firefly", "fishfly", "painted-lichen-moth", "dragonfly")] string name,
-            [Values(0.01f, 0.02f)] float step) => Perch(name, step, 200);
+            [Values(0.01f, 0.02f)] float step, [Values(1, 101)] int first) => Perch(name, step, 100, first);
 
         // Makes the recordings of the folder Flights.
         [UnityTest]
@@ -64,15 +64,15 @@ namespace Alate.Tests.Play
             TestContext.Out.WriteLine($"{file}: {(visit.HasTumbled ? "tumbles" : "does not tumble")}, {visit.Flight.Recorder.Ended}");
         }
 
-        private IEnumerator Perch(string name, float step, int count)
+        private IEnumerator Perch(string name, float step, int count, int from = 1)
         {
             Time.captureDeltaTime = step;
             InsectDefinition species = InsectCatalogue.Find(name);
             WingPreset preset = species.Wings[0].CreatePreset();
             var visits = new List<PerchVisit>();
-            for (int first = 1; first <= count; first += k_AtOnce)
+            for (int first = from; first < from + count; first += k_AtOnce)
             {
-                var group = Enumerable.Range(first, Math.Min(k_AtOnce, count + 1 - first))
+                var group = Enumerable.Range(first, Math.Min(k_AtOnce, from + count - first))
                     .Select(seed => new PerchVisit(seed, Hatch(species), species, preset)).ToList();
                 KeepParts();
                 yield return Frames(20);
