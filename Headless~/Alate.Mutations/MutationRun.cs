@@ -103,8 +103,8 @@ internal static class MutationRun
 
         if (options.Reach)
         {
-            Console.WriteLine(Report.Unmet([.. drawn.Select((one, i) => (one.Mutant, IsMet: coverage.Reaching(i + 1).Count > 0))
-                .Where(one => one.Mutant != null)]));
+            Console.WriteLine(Report.Unmet(drawn.Select((one, i) => (one.Mutant, IsMet: coverage.Reaching(i + 1).Count > 0))
+                .Where(one => one.Mutant != null).Select(one => (one.Mutant.File, one.Mutant.Line, one.IsMet))));
             return;
         }
 

@@ -14,13 +14,13 @@ internal sealed class Report(IReadOnlyList<(string Room, Mutant Mutant, Verdict 
     private const string k_Begin = "<!-- mutations: written by .ci/mutate --write -->", k_End = "<!-- end of mutations -->";
 
     /// <summary>Files with mutants that no test meets, those with most of them first: how many of how many, and their lines.</summary>
-    public static string Unmet(IReadOnlyList<(Mutant Mutant, bool IsMet)> mutants)
+    public static string Unmet(IEnumerable<(string File, int Line, bool IsMet)> mutants)
     {
         var list = new StringBuilder();
-        foreach (IGrouping<string, (Mutant Mutant, bool IsMet)> file in mutants.GroupBy(one => one.Mutant.File)
+        foreach (IGrouping<string, (string File, int Line, bool IsMet)> file in mutants.GroupBy(one => one.File)
             .Where(file => file.Any(one => !one.IsMet)).OrderByDescending(file => file.Count(one => !one.IsMet)))
         {
-            IEnumerable<int> lines = file.Where(one => !one.IsMet).Select(one => one.Mutant.Line).Distinct().Order();
+            IEnumerable<int> lines = file.Where(one => !one.IsMet).Select(one => one.Line).Distinct().Order();
             list.AppendLine($"{file.Count(one => !one.IsMet)} of {file.Count()}  {file.Key}:{string.Join(',', lines)}");
         }
 

@@ -8,7 +8,7 @@ const folder = process.argv[2], load = (name) => import(pathToFileURL(join(folde
 const bytes = readFileSync(join(folder, 'state.bin')), told = JSON.parse(readFileSync(join(folder, 'state.json'), 'utf8'));
 const { MAGIC, blend, colours, decode, floats, magicOf, wholes } = await load('format.js');
 const { Arrows, heat, ramps } = await load('overlays.js');
-const { Chart, slopesOf, ticks } = await load('chart.js');
+const { Chart, slopesOf, ticks } = await load('chart.js'), { Live } = await load('live.js');
 const buffer = () => bytes.buffer.slice(bytes.byteOffset, bytes.byteOffset + bytes.byteLength);
 
 function near(value, wanted, what, within = 1e-5) {
@@ -21,12 +21,43 @@ function all(values, wanted, what, within) {
   wanted.forEach((value, k) => near(values[k], value, `${what} ${k}`, within));
 }
 
+function same(values, wanted, what) {
+  if (JSON.stringify(values) !== JSON.stringify(wanted))
+    throw new Error(`${what}: ${JSON.stringify(values)}, not ${JSON.stringify(wanted)}`);
+}
+
 // The sRGB of linear light; opacity is none of it.
 function encode(value, k) {
   return k % 4 === 3 ? value : value <= 0.0031308 ? 12.92 * value : 1.055 * value ** (1 / 2.4) - 0.055;
 }
 
 const cases = {
+  // A socket that tells before anybody listens: all of it in its order, and of the states the last one.
+  early() {
+    class Socket {
+      static OPEN = 1;
+      readyState = 1;
+      sent = [];
+      send(text) { this.sent.push(text); }
+      close() { this.isClosed = true; }
+    }
+    Object.assign(globalThis, { WebSocket: Socket, location: { host: 'nowhere' } });
+    const live = new Live({ speed: 2 }), { socket } = live, said = [];
+    const listener = new Proxy({}, { get: (_, name) => (value) => said.push(name === 'state' ? `${name} ${value.time === told.time}` : `${name} ${value.type ?? value}`) });
+    const say = (message) => socket.onmessage({ data: typeof message === 'string' ? JSON.stringify({ type: message }) : message });
+    socket.onopen();
+    ['hello', buffer(), 'scene', buffer(), buffer(), 'settings', buffer()].forEach(say);
+    same(said, [], 'nobody listens');
+    live.listen(listener);
+    same(said, ['status live', 'hello hello', 'scene scene', 'settings settings', 'state true'], 'told once');
+    ['error', buffer()].forEach(say);
+    same(said.slice(5), ['error error', 'state true'], 'and at once from then on');
+    same(socket.sent, ['{"speed":2}'], 'what was wanted');
+    live.close();
+    if (!socket.isClosed || socket.onclose)
+      throw new Error('comes back after it was closed');
+  },
+
   decode() {
     const state = decode(buffer()), [column] = state.columns;
     near(magicOf(buffer()), MAGIC, 'magic');

@@ -64,16 +64,6 @@ internal static class FiguresCommand
     /// <summary>The comparisons of the page of species.</summary>
     internal static ComparisonPlan Comparisons => new(InsectCatalogue.All.Select(Plan).ToList(), ComparisonColumn.All, k_Phases);
 
-    /// <summary>The wake of the front page: a monarch that cruises by its own wings.</summary>
-    internal static FlightPlan WakeFlown => new()
-    {
-        Species = k_Hero,
-        Variant = InsectVariant.Flight,
-        Speed = 1.3,
-        PitchDegrees = 28,
-        Substeps = 96,
-    };
-
     private static void Run(string path, TextWriter output)
     {
         string page = Text(Path.Combine(path, k_Page));
@@ -137,7 +127,7 @@ internal static class FiguresCommand
         folder.Write(k_Sweep, stream => stream.Write(SweepPicture.DrawPoses(swept)));
         Write(folder, k_SweepCharts, SweepPicture.DrawCharts(swept));
         Write(folder, k_Veins, VeinFigure.Draw());
-        using (var wake = WakeFlight.Smooth(TetheredFlight.Fly(WakeFlown), new WakePlan()))
+        using (var wake = WakeFlight.Smooth(TetheredFlight.Fly(WakeFigures.Flown), new WakePlan()))
             folder.Write(k_Wake, stream => stream.Write(WakePicture.Draw(wake)));
 
         stage("filming");

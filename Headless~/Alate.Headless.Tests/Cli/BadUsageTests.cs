@@ -70,6 +70,8 @@ namespace Alate.Tests.Cli
         [TestCase("--aid", "1.5")]
         [TestCase("--seconds", "NaN")]
         [TestCase("--seed", "0")]
+        [TestCase("--erratic", "1.1")]
+        [TestCase("--erratic", "NaN")]
         [TestCase("--points", "nowhere.csv")]
         public void ValueOfAFreeFlight_OutOfItsRange_IsNamed(string option, string value) =>
             AssertRefused(new[] { option == "--points" ? value : option }, "fly", "monarch", "--free", option, value, "--out", m_Run.Out);
@@ -78,6 +80,7 @@ namespace Alate.Tests.Cli
         [TestCase("--pilot points", "--points")]
         [TestCase("--pilot hover --to 0,0,1", "--to")]
         [TestCase("--seed 3", "wander")]
+        [TestCase("--erratic 0.5", "wander")]
         public void PilotWithoutWhatItNeeds_SaysSo(string options, string said)
         {
             string[] words = options.Split(' ');

@@ -127,7 +127,7 @@ namespace Alate.Tests.Cli
         [Category("Long")]
         public void TheWakeOfTheFrontPage_IsTheOneThatIsDrawnNow()
         {
-            using var wake = WakeFlight.Smooth(TetheredFlight.Fly(FiguresCommand.WakeFlown), new WakePlan());
+            using var wake = WakeFlight.Smooth(TetheredFlight.Fly(WakeFigures.Flown), new WakePlan());
             byte[] shown = File.ReadAllBytes(Path.Combine(s_Folder, "images", "wake-monarch.png"));
             Assert.That(WakePicture.Draw(wake).SequenceEqual(shown), Is.True);
         }

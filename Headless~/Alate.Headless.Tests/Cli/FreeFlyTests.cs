@@ -187,6 +187,23 @@ namespace Alate.Tests.Cli
         }
 
         [Test]
+        public void Erratic_IsThatOfTheTrack_AndStandsInTheSummary()
+        {
+            using var run = new CommandRun();
+            string[][] tracks = [.. new[] { "0", "1" }.Select(erratic =>
+            {
+                string folder = Path.Combine(run.Folder, erratic);
+                string[] words = ["fly", "monarch", "--free", "--pilot", "wander", "--erratic", erratic, "--seconds", "0.6"];
+                Assert.That(run.Run([.. words, "--no-pictures", "--out", folder]), Is.Zero, run.Errors);
+                using var summary = JsonDocument.Parse(File.ReadAllText(Path.Combine(folder, "summary.json")));
+                Assert.That(summary.RootElement.GetProperty("options").GetProperty("erratic").GetRawText(), Is.EqualTo(erratic));
+                return File.ReadAllLines(Path.Combine(folder, "trajectory.csv"));
+            })];
+            Assert.That(tracks[0], Is.EqualTo(Track(1, 0.6)));
+            Assert.That(tracks[1], Is.EqualTo(Track(1, 0.6, 1)).And.Not.EqualTo(tracks[0]));
+        }
+
+        [Test]
         [Explicit]
         [Category("Long")]
         public void TheCommand_FliesTheTrackOfItsSeed()
@@ -198,9 +215,16 @@ namespace Alate.Tests.Cli
             Assert.That(File.ReadAllLines(Path.Combine(run.Out, "trajectory.csv")), Is.EqualTo(Track(7)));
         }
 
-        private static string[] Track(int seed)
+        private static string[] Track(int seed, double seconds = 0.3, double erratic = 0)
         {
-            var plan = new FreePlan { Insect = InsectCatalogue.Find("monarch"), Pilot = FreePilot.Wander, Seed = seed, Seconds = 0.3 };
+            var plan = new FreePlan
+            {
+                Insect = InsectCatalogue.Find("monarch"),
+                Pilot = FreePilot.Wander,
+                Seed = seed,
+                Seconds = seconds,
+                Erratic = erratic,
+            };
             return [.. TrajectoryTable.Of(FreeRun.Fly(plan, _ => { })).Select(row => string.Join(",", row))];
         }
 

@@ -255,7 +255,7 @@ public sealed class WakeShapeLaws
     [Category("Long")]
     public void PicturesSmoothTheWake_AndItsLoadsStay()
     {
-        FlightPlan plan = FiguresCommand.WakeFlown;
+        FlightPlan plan = WakeFigures.Flown;
         using var wake = new WakeFlight(TetheredFlight.Fly(plan), new WakePlan());
         double Lift(WakeFlight flight) => flight.Run(_ => { }).Average(at => at.Force.y);
         double lift = Lift(wake);

@@ -42,6 +42,27 @@ namespace Alate.Tests.FreeFlights
                 Assert.That(table.IsClosed(s, table.LevelClimb), $"{table.Speeds[s]} m/s");
         }
 
+        // The guard of commands lets a slow monarch climb by 0.03 m/s, where trims for 0.3 m/s hardly count.
+        [Test]
+        public void TrimsThatDoNotFit_AreNoticed_WhereTheGuardOfCommandsWouldNotFly()
+        {
+            using var insect = new FlyingInsect("monarch");
+            TrimTable table = insect.Table;
+            int s = Array.FindIndex(table.Speeds, speed => speed > 0.2f), c = Array.IndexOf(table.ClimbRates, 0.3f);
+            var between = new FlightCondition(0.5f * (table.Speeds[s - 1] + table.Speeds[s]), table.ClimbRates[c]);
+            Assert.That(table.IsClosed(s - 1, c) && table.IsClosed(s, c));
+            Assert.That(TableFlight.Mixes(insect.Model, table, between));
+            foreach (int speed in new[] { s - 1, s })
+            {
+                float[] off = (float[])table.Point(speed, c).Clone();
+                off[TrimPoint.Pitch] += 0.3f;
+                table.Set(speed, c, off);
+            }
+
+            table.Fill();
+            Assert.That(TableFlight.Mixes(insect.Model, table, between), Is.False);
+        }
+
         [Test]
         public void AnotherSpeedOrClimb_LeavesThePointsAsTheyAre()
         {

@@ -38,6 +38,17 @@ internal sealed class SampleTests
     [TestCase("Tests/Runtime/Lanes.cs", null)]
     public void AFile_HasItsRoom(string file, string room) => Assert.That(Rooms.Of(file), Is.EqualTo(room));
 
+    [Test]
+    public void WhatNoTestMeets_IsListedByFile_TheMostFirst()
+    {
+        string list = Report.Unmet(
+            [("a", 5, true), ("b", 9, false), ("c", 7, false), ("c", 3, false), ("c", 7, false), ("c", 1, true), ("a", 6, true)]);
+        Assert.That(list.ReplaceLineEndings("|"), Is.EqualTo("3 of 4  c:3,7|1 of 1  b:9|"));
+    }
+
+    [Test]
+    public void Reach_IsAnOption() => Assert.That(Options.Parse(["Cli", "--reach"]).Reach, Is.True);
+
     private static string[] Drawn(int seed) => new Sample(Candidates(), seed).Draw(12)
         .SelectMany(room => room.Value).Select(mutant => $"{mutant.Line} {mutant.After}").ToArray();
 

@@ -47,14 +47,14 @@ namespace Alate.Flight
         /// Returns true where the insect flies by what is mixed of the trims around a condition, and comes to lie in the mixed attitude.
         /// </summary>
         public static bool Mixes(FlightModel model, TrimTable table, in FlightCondition condition) =>
-            Flies(model, table, condition, k_MixingSeconds,
-                time => time > k_Counted * k_MixingSeconds ? k_MixingTilt : float.PositiveInfinity);
+            Flies(model, table, condition, k_MixingSeconds, k_Counted * k_MixingSeconds, k_MixingTilt);
 
         private static bool Holds(FlightModel model, TrimTable table, in FlightCondition condition) =>
-            Flies(model, table, condition, k_Seconds, _ => k_MostTilt);
+            Flies(model, table, condition, k_Seconds, 0f, k_MostTilt);
 
+        // The tilt counts from a time on.
         private static bool Flies(
-            FlightModel model, TrimTable table, in FlightCondition condition, float seconds, Func<double, float> mostTilt)
+            FlightModel model, TrimTable table, in FlightCondition condition, float seconds, float counted, float mostTilt)
         {
             // Between the points themselves: the guard of commands keeps a slow insect from climbing and sinking as fast.
             using var flight = new FreeFlight(model, table, condition) { GuardCommands = false };
@@ -62,7 +62,7 @@ namespace Alate.Flight
             while (flight.Time < seconds)
             {
                 flight.Step(command, k_Step);
-                if (!(flight.Tilt < mostTilt(flight.Time)) || !(math.length(flight.VelocityError) < k_MostError))
+                if (flight.Time > counted && !(flight.Tilt < mostTilt) || !(math.length(flight.VelocityError) < k_MostError))
                     return false;
             }
 

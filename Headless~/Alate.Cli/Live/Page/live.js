@@ -1,30 +1,10 @@
 import { MAGIC, decode, magicOf } from './format.js';
 
-// Keeps what is told until somebody listens: all of it, and of the states the last one.
-class Waiting {
-  told = [];
-
-  constructor() {
-    ['hello', 'scene', 'settings', 'error', 'file', 'status'].forEach((name) => this[name] = (...values) => this.told.push([name, values]));
-  }
-
-  state(state) {
-    this.last = state;
-  }
-
-  async tell(listener) {
-    for (const [name, values] of this.told)
-      await listener[name](...values);
-    if (this.last)
-      listener.state(this.last);
-  }
-}
-
-// The simulation behind a web socket, which is opened before there is anything to draw with. Comes back by itself when the server does, with
-// what was set before.
+// The simulation behind a web socket, which is opened before there is anything to draw with: what it tells is kept until somebody listens.
+// Comes back by itself when the server does, with what was set before.
 export class Live {
   constructor(wanted) {
-    this.listener = new Waiting();
+    this.early = [];
     this.wait = 500;
     this.wanted = wanted ?? null;
     this.received = 0;
@@ -32,12 +12,23 @@ export class Live {
   }
 
   listen(listener) {
-    const waiting = this.listener;
     this.listener = listener;
-    waiting.tell(listener);
+    this.early.splice(0).forEach((told) => this.tell(...told));
+  }
+
+  tell(name, ...values) {
+    if (this.listener) {
+      this.listener[name](...values);
+      return;
+    }
+    // Of the states the last one is enough.
+    if (name === 'state')
+      this.early = this.early.filter(([other]) => other !== 'state');
+    this.early.push([name, ...values]);
   }
 
   close() {
+    clearTimeout(this.retry);
     this.socket.onclose = null;
     this.socket.close();
   }
@@ -47,14 +38,14 @@ export class Live {
     this.socket.binaryType = 'arraybuffer';
     this.socket.onopen = () => {
       this.wait = 500;
-      this.listener.status('live');
+      this.tell('status', 'live');
       if (this.wanted)
         this.send(this.wanted);
     };
     this.socket.onmessage = (event) => this.take(event.data);
     this.socket.onclose = (event) => {
-      this.listener.status('away', event.code === 1009 || event.code === 1007 ? event.reason : '');
-      setTimeout(() => this.open(), this.wait);
+      this.tell('status', 'away', event.code === 1009 || event.code === 1007 ? event.reason : '');
+      this.retry = setTimeout(() => this.open(), this.wait);
       this.wait = Math.min(2 * this.wait, 4000);
     };
   }
@@ -62,17 +53,17 @@ export class Live {
   take(data) {
     if (typeof data !== 'string') {
       if (magicOf(data) !== MAGIC) {
-        this.listener.file(data);
+        this.tell('file', data);
         return;
       }
       this.received++;
-      this.listener.state(decode(data));
+      this.tell('state', decode(data));
       return;
     }
     const message = JSON.parse(data);
     if (message.type === 'settings' || message.type === 'scene')
       this.remember(message.settings ?? message);
-    this.listener[message.type](message);
+    this.tell(message.type, message);
   }
 
   remember({ species, variant, compare, paused, wake, landing, values }) {

@@ -51,14 +51,17 @@ internal sealed class WakeAccuracy
 
     private void Measure(FlightRecord flight, double weight, WakePlan plan)
     {
+        var shed = new Dictionary<(int, int), (float3 Force, double Seconds)>();
         (float3 Force, double Seconds) Shed(int steps, int panels)
         {
+            if (shed.TryGetValue((steps, panels), out (float3, double) before))
+                return before;
             using var wake = new WakeFlight(flight, plan with { StepsPerBeat = steps, SpanPanels = panels });
             long start = Stopwatch.GetTimestamp();
             List<WakeMoment> beat = wake.Run(_ => { });
             double seconds = Stopwatch.GetElapsedTime(start).TotalSeconds;
             float3 sum = beat.Aggregate(default(float3), (all, at) => all + at.Force);
-            return (sum / beat.Count, seconds);
+            return shed[(steps, panels)] = (sum / beat.Count, seconds);
         }
 
         // Compiled before it is timed.

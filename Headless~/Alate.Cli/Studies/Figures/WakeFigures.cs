@@ -14,6 +14,16 @@ internal static class WakeFigures
     /// <summary>All files, in the documentation's folder.</summary>
     public static IReadOnlyList<string> Files { get; } = [Page, k_Picture];
 
+    /// <summary>A monarch that cruises by its own wings: its wake is measured, and drawn for the front page.</summary>
+    internal static FlightPlan Flown => new()
+    {
+        Species = "monarch",
+        Variant = InsectVariant.Flight,
+        Speed = 1.3,
+        PitchDegrees = 28,
+        Substeps = k_Substeps,
+    };
+
     /// <summary>Measures, draws, and writes the page's table again.</summary>
     /// <param name="page">The page as it is.</param>
     /// <returns>Each of <see cref="Files"/> with its text.</returns>
@@ -24,14 +34,7 @@ internal static class WakeFigures
     {
         MeasuredDragonfly measured = MeasuredDragonfly.Flights[1];
         FlightRecord dragonfly = DragonflyRun.Fly(measured, true, k_Substeps, ownDrag: true).Record;
-        FlightRecord monarch = TetheredFlight.Fly(new FlightPlan
-        {
-            Species = "monarch",
-            Variant = InsectVariant.Flight,
-            Speed = 1.3,
-            PitchDegrees = 28,
-            Substeps = k_Substeps,
-        });
+        FlightRecord monarch = TetheredFlight.Fly(Flown);
         return
         [
             WakeAccuracy.Of("dragonfly, published flight 2, strips", dragonfly, measured.Weight, WakeMethod.Strips),

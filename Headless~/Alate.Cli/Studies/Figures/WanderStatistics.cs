@@ -11,12 +11,13 @@ internal sealed record WanderStatistics(string Species, double Erratic)
     /// <summary>Times over which straightness is told, seconds.</summary>
     public static readonly double[] Lags = [0.2, 0.5, 1, 2, 4, 8];
 
-    /// <summary>Frequencies at which the spectrum of turning is told, up to 3 Hz.</summary>
-    public static readonly double[] Frequencies = [.. Enumerable.Range(1, k_Window * 3 / 20).Select(k => k * k_Rate / k_Window)];
+    /// <summary>Frequencies at which the spectrum of turning is told, Hz.</summary>
+    public static readonly double[] Frequencies =
+        [.. Enumerable.Range(1, (int)(k_Fastest * k_Window / k_Rate)).Select(k => k * k_Rate / k_Window)];
 
     private const int k_Seeds = 8, k_Window = 400, k_Coarse = 5;
     private const float k_Step = 0.01f;
-    private const double k_Settled = 2, k_Seconds = 42, k_Rate = 1 / (k_Coarse * k_Step), k_Slow = 0.1;
+    private const double k_Settled = 2, k_Seconds = 42, k_Rate = 1 / (k_Coarse * k_Step), k_Slow = 0.1, k_Fastest = 3;
     private static readonly FlightVolume s_Volume = new(VolumeShape.Box, Vector3.zero, new Vector3(8f, 4f, 8f));
 
     private double m_Seconds, m_Work, m_Path, m_Turning;
