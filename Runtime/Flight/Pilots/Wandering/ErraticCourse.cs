@@ -24,6 +24,9 @@ namespace Alate.Flight
         /// <summary>Part of the speed that is kept at the rim: an insect that stops there stalls.</summary>
         private const float k_Least = 0.2f;
 
+        /// <summary>Largest radius of a turn back, a share of half of the volume's narrower side.</summary>
+        private const float k_Fits = 0.5f;
+
         /// <summary>Room before the rim in turn radii, at which the insect turns back.</summary>
         private const float k_Room = 1.5f;
 
@@ -53,8 +56,10 @@ namespace Alate.Flight
             settings = settings.Clamped();
             float dt = situation.deltaTime;
             Begin(situation);
-            float speed = math.min(m_Pace * settings.speed, situation.limits.TopSpeed);
             FlightLimits all = situation.limits;
+            // No faster than a turn back fits into the volume.
+            float half = 0.5f * math.cmin(math.abs(((float3)volume.size).xz)) / situation.unitsPerMetre;
+            float speed = math.min(m_Pace * settings.speed, math.min(all.TopSpeed, k_Fits * half * k_BackShare * all.TurnRate(0f)));
             var limits = new FlightLimits(all.TopSpeed, all.LeastClimb, all.MostClimb, k_Rim * all.Acceleration);
             Turn(situation, limits, volume, settings, speed);
             Climb(situation.limits, settings, dt);

@@ -115,6 +115,24 @@ namespace Alate.Tests.Flight
             Assert.That(change, Is.EqualTo(changes * 2.5f).Within(0.01f));
         }
 
+        // Four fifths of the fastest turn, a/v of the top speed, whose radius is half of the half of the narrower side.
+        [TestCase(2f, 1f)]
+        [TestCase(1f, 1f)]
+        [TestCase(2f, 4f)]
+        public void InANarrowVolume_NobodyIsFasterThanATurnBackAllows(float narrow, float unitsPerMetre)
+        {
+            FlightSituation situation = Situation(k_Step);
+            situation.unitsPerMetre = unitsPerMetre;
+            WanderSettings settings = Straight(20f);
+            settings.speed = 5f;
+            var course = new ErraticCourse(3);
+            var volume = new FlightVolume(VolumeShape.Box, Vector3.zero, new Vector3(100f, 100f, narrow));
+            float fastest = 0f;
+            for (int step = 0; step < 2000; step++)
+                fastest = math.max(fastest, math.length(course.Next(situation, volume, settings).xz));
+            Assert.That(fastest, Is.EqualTo(0.5f * 0.5f * narrow / unitsPerMetre * 0.8f * 2.5f / 1.3f).Within(0.5f).Percent);
+        }
+
         // Towards the rim the insect turns back, twice as fast, to within 1 rad of the way home.
         [Test]
         public void BeforeTheRim_TheCourseTurnsHome([Values(1, 2, 3, 4, 5)] int seed, [Values(0f, 1f)] float erratic)
