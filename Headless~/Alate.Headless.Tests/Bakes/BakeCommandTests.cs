@@ -51,7 +51,7 @@ namespace Alate.Tests.Bakes
         }
 
         [TestCase(WingSide.Right)]
-        [TestCase(WingSide.Left)]
+        [TestCase(WingSide.Left, Explicit = true, Category = "Long")]
         public void AWingOfTheUsersOwn_IsBakedWithItsMirrorImage(WingSide side)
         {
             using var run = new CommandRun();

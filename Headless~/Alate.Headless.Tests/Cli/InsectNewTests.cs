@@ -99,10 +99,10 @@ namespace Alate.Tests.Cli
             Assert.That((double)Wing(ReadFile(), 1)["lengthMillimetres"], Is.EqualTo(97));
         }
 
-        [TestCase("--length", "50mm", "50", "5cm", "5e-2m", "50000µm")]
-        [TestCase("--mass", "1600mg", "1600", "1.6 g", "0.0016kg")]
-        [TestCase("--frequency", "25Hz", "25", "1500/min", "157.07963267949rad/s")]
-        [TestCase("--length", "50mm", "50", "0.05m", "50 mm", "50000um", Explicit = true, Category = "Long")]
+        [TestCase("--length", "5cm", "50", "50000µm")]
+        [TestCase("--mass", "1.6 g", "1600", "0.0016kg")]
+        [TestCase("--frequency", "1500/min", "25", "157.07963267949rad/s")]
+        [TestCase("--length", "50mm", "50", "0.05m", "5e-2m", "50 mm", "50000um", Explicit = true, Category = "Long")]
         [TestCase("--mass", "1600mg", "1600", "1.6g", "1600000µg", Explicit = true, Category = "Long")]
         [TestCase("--frequency", "25Hz", "25", "25", "25/s", "0.025kHz", Explicit = true, Category = "Long")]
         public void Units_AreAllTheSame(string option, string first, string value, params string[] others)

@@ -35,6 +35,8 @@ public sealed class ReportRowLaws
             done => DragonflyRows.Tethered(s_Coarse, done), 0.05, 0.03, false);
 
     [Test]
+    [Explicit]
+    [Category("Long")]
     public void VariantsOfFlights_AreThoseOfTheReport() =>
         Compare(row => !Best(row) && Begins(row, "dragonfly, flight"), 15,
             done => DragonflyVariants.Flights(new Fineness(16, 32), done), 0.05, 0.03);
@@ -81,6 +83,8 @@ public sealed class ReportRowLaws
             done => StructureRows.Motions(new Fineness(48, 96), done), 0.08, 1.5);
 
     [Test]
+    [Explicit]
+    [Category("Long")]
     public void Wakes_AreThoseOfTheReport() =>
         Compare(row => Text(row, "table") == "wakes", 4,
             done => WakeRows.Beating(done).Concat(WakeRows.Starting(done)).Concat(WakeRows.Steady(done)).Concat(WakeRows.Revolving(done)),

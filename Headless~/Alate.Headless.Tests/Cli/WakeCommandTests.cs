@@ -151,7 +151,7 @@ namespace Alate.Tests.Cli
             Assert.That(Directory.Exists(run.Out), Is.False);
         }
 
-        [TestCase("does not fly at 9 m/s ahead", "--speed", "9")]
+        [TestCase("does not fly at 9 m/s ahead", "--speed", "9", Explicit = true, Category = "Long")]
         [TestCase("--pitch is for flights on the spot", "--pitch", "20")]
         [TestCase("--kinematics is for flights", "--kinematics", "x.json")]
         [TestCase("does not go with --variant expressive", "--variant", "expressive")]

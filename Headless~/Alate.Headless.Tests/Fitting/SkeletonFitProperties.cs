@@ -11,7 +11,7 @@ namespace Alate.Tests
     /// <summary>Properties of the fitted skeleton of any wing: twenty random outlines, and two hundred in the long tests.</summary>
     public sealed class SkeletonFitProperties
     {
-        private const int k_Wings = 20, k_MovedWings = 6, k_ManyWings = 200, k_Fins = 3, k_ManyFins = 40;
+        private const int k_Wings = 12, k_MovedWings = 4, k_ManyWings = 200, k_Fins = 3, k_ManyFins = 40;
 
         private static readonly Dictionary<int, SkeletonFit> s_Fits = new Dictionary<int, SkeletonFit>();
         private static readonly Vector3 s_BodySide = Vector3.left, s_Forward = Vector3.forward, s_Up = Vector3.up;

@@ -109,7 +109,7 @@ namespace Alate.Editor.Tests
             Assert.That(placement.ToTexture(new PlanPoint(65.0, -49.0)), Is.EqualTo(new Vector2(1f, 0f)));
         }
 
-        [TestCase(58f, false)]
+        [TestCase(58f, false, Explicit = true, Category = "Long")]
         [TestCase(63f, true, Explicit = true, Category = "Long")]
         [TestCase(-58f, false, Explicit = true, Category = "Long")]
         [TestCase(-63f, true)]

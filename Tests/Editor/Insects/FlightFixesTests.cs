@@ -22,9 +22,13 @@ namespace Alate.Editor.Tests
             foreach (GameObject made in m_Made)
                 Object.DestroyImmediate(made);
             m_Made.Clear();
-            AssetDatabase.DeleteAsset(k_Home);
+            AssetDatabase.DeleteAsset(k_Path);
             Undo.ClearAll();
         }
+
+        // The tests change what is placed, not the prefab.
+        [OneTimeTearDown]
+        public void TakePrefabsAway() => AssetDatabase.DeleteAsset(k_Home);
 
         [Test]
         public void AnInsectOfTheMenu_HasNothingTheMatter()
