@@ -8,7 +8,7 @@ internal static class FiguresCommand
     private const string k_Page = "species.md", k_Sweep = "images/sweep-elasticity.png", k_SweepCharts = "images/sweep-elasticity.svg",
         k_Gallery = "images/insects.png",
         k_Film = "images/monarch-film.png", k_Stretch = "images/stretch-monarch.png", k_Veins = "images/veins.svg",
-        k_Wake = "images/wake-monarch.png";
+        k_Wake = "images/wake-monarch.png", k_OwnFilm = "images/mymoth-film.png";
 
     /// <summary>Pixels of the picture of all insects.</summary>
     internal const int GalleryWidth = 1230;
@@ -46,7 +46,7 @@ internal static class FiguresCommand
     }
 
     private static List<string> Pictures =>
-        [k_Sweep, k_SweepCharts, k_Gallery, k_Film, k_Stretch, k_Veins, k_Wake,
+        [k_Sweep, k_SweepCharts, k_Gallery, k_Film, k_OwnFilm, k_Stretch, k_Veins, k_Wake,
             .. InsectCatalogue.Names.SelectMany(name => new[] { Portrait(name), Compared(name) })];
 
     /// <summary>The film of the front page.</summary>
@@ -55,6 +55,14 @@ internal static class FiguresCommand
         Flight = FlightPlan.Cruise(InsectCatalogue.Find(k_Hero), InsectVariant.Expressive),
         Beats = 3,
         Turn = 360,
+    };
+
+    /// <summary>The film of the front page's own insect.</summary>
+    internal static FilmPlan OwnFilm(InsectDefinition insect) => new()
+    {
+        Flight = FlightPlan.Cruise(insect, InsectVariant.Standard),
+        Beats = 1,
+        Width = 480,
     };
 
     /// <summary>The sweep of the page of species.</summary>
@@ -77,7 +85,7 @@ internal static class FiguresCommand
             foreach (InsectDefinition species in InsectCatalogue.All)
                 page = PageBlock.Replace(page, "sources of " + species.Name, MarkdownTable.Write(SpeciesTable.Sources(species)));
             Write(folder, k_Page, page);
-            WritePictures(folder, stage);
+            WritePictures(path, folder, stage);
             stage("flying freely");
             (flight, string wandering) = WanderFigures.Make(FlightFigures.Make(flight));
             Write(folder, FlightFigures.Page, flight);
@@ -89,7 +97,7 @@ internal static class FiguresCommand
     }
 
     private static void Draw(string path, TextWriter output) =>
-        Make(path, Pictures.ToArray(), output, 1, (folder, _, stage) => WritePictures(folder, stage));
+        Make(path, Pictures.ToArray(), output, 1, (folder, _, stage) => WritePictures(path, folder, stage));
 
     /// <summary>Makes all files of a folder, or none where something fails, and says where they are.</summary>
     /// <param name="path">The folder.</param>
@@ -107,7 +115,7 @@ internal static class FiguresCommand
         terminal.ShowFiles(path, files);
     }
 
-    private static void WritePictures(OutputFolder folder, System.Action<string> stage)
+    private static void WritePictures(string path, OutputFolder folder, System.Action<string> stage)
     {
         stage("painting");
         foreach (InsectDefinition species in InsectCatalogue.All)
@@ -133,6 +141,27 @@ internal static class FiguresCommand
         stage("filming");
         var film = Film.Fly(HeroFilm);
         folder.Write(k_Film, stream => stream.Write(film.Animation(film.Draw(_ => { }))));
+        film = Film.Fly(OwnFilm(MakeOwn(path)));
+        folder.Write(k_OwnFilm, stream => stream.Write(film.Animation(film.Draw(_ => { }))));
+    }
+
+    /// <summary>Makes the front page's own insect of its pictures.</summary>
+    /// <param name="path">The folder of the documentation.</param>
+    internal static InsectDefinition MakeOwn(string path)
+    {
+        string folder = Directory.CreateTempSubdirectory("alate-").FullName;
+        try
+        {
+            string home = Path.Combine(folder, "mymoth");
+            string Picture(string wing) => Path.Combine(path, "images", $"moth-{wing}.png");
+            InsectNewCommand.Create(TextWriter.Null).Parse([home, "--wing", Picture("fore"), Picture("hind"), "--length", "50mm", "38mm",
+                "--mass", "1.6g", "--frequency", "25Hz"]).Invoke(new InvocationConfiguration { EnableDefaultExceptionHandler = false });
+            return KnownSpecies.Find(Path.Combine(home, "mymoth" + InsectFile.Ending));
+        }
+        finally
+        {
+            Directory.Delete(folder, true);
+        }
     }
 
     internal static List<FlightSummary> Measure(IEnumerable<InsectDefinition> insects, int substeps, System.Action<int> done)

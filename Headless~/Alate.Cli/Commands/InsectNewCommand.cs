@@ -81,21 +81,29 @@ internal static class InsectNewCommand
             decimal hertz = s_Frequency.Read("--frequency", parsed.GetValue(frequency)
                 ?? throw new UserException("How often does it beat? --frequency, such as 25Hz."));
             List<decimal> millimetres = [.. far.Select(length => s_Length.Read("--length", length))];
-            if (millimetres.Count < files.Length)
+            bool isGiven = millimetres.Count == files.Length;
+            if (!isGiven)
                 millimetres.Add(NewInsect.LengthBehind(known, millimetres[0]));
             var insect = new NewInsect(NameOf(parsed.GetValue(name), path), known, milligrams, hertz);
-            Make(insect, files, millimetres, path, output);
+            Make(insect, files, millimetres, isGiven, path, output);
             return 0;
         });
         return command;
     }
 
-    private static void Make(NewInsect insect, string[] files, List<decimal> lengths, string path, TextWriter output)
+    private static void Make(NewInsect insect, string[] files, List<decimal> lengths, bool isGiven, string path, TextWriter output)
     {
-        insect = insect with
+        List<(TracedWing Wing, decimal Length)> wings =
+            [.. files.Zip(lengths, (file, length) => (TracedWing.Of(file, WingTracingSettings.Default), length))];
+        if (files.Length > 1)
         {
-            Wings = [.. files.Zip(lengths, (file, length) => (TracedWing.Of(file, WingTracingSettings.Default), length))],
-        };
+            double across = WingTurn.TurnLike(wings[1].Wing, insect.Like.Wings[1], files[1]);
+            // A length that nobody gave is across the body already.
+            if (isGiven)
+                wings[1] = (wings[1].Wing, (decimal)Math.Round((double)wings[1].Length * across, 2));
+        }
+
+        insect = insect with { Wings = wings };
         insect.Check();
         using var folder = OutputFolder.Prepare(path, [insect.File, .. insect.FilesOfWings.SelectMany(wing => wing.All)]);
         insect.Write(folder);
@@ -103,7 +111,8 @@ internal static class InsectNewCommand
         for (int k = 0; k < files.Length; k++)
         {
             output.WriteLine(FormattableString.Invariant($"{insect.Like.Wings[k].Name}, {lengths[k]:0.##} mm: ")
-                + insect.Wings[k].Wing.Summary);
+                + insect.Wings[k].Wing.Summary + (k == 0 ? "" : FormattableString.Invariant(
+                    $" It points as far back as the {insect.Like.DisplayName}'s: {insect.Wings[k].Length:0.##} mm across the body.")));
         }
 
         string file = Path.Combine(path, insect.File);

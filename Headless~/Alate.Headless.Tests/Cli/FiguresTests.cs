@@ -105,6 +105,11 @@ namespace Alate.Tests.Cli
             Assert.That((film.Flight.Species, film.Turn), Is.EqualTo(("monarch", 360.0)), "the camera goes around");
             Assert.That(film.Flight.Variant, Is.EqualTo(InsectVariant.Expressive), "the front page: the softer variants");
 
+            film = FiguresCommand.OwnFilm(InsectCatalogue.Find("firefly"));
+            shown = new ApngPlayer(File.ReadAllBytes(Path.Combine(images, "mymoth-film.png")));
+            Assert.That((shown.Frames.Count, shown.Width), Is.EqualTo((film.Beats * film.Frames, film.Width)));
+            Assert.That(film.Flight.Definition.Name, Is.EqualTo("firefly"));
+
             SweepPlan sweep = FiguresCommand.SweptElasticity;
             string[] told = PngTexts.Of(Path.Combine(images, "sweep-elasticity.png"));
             Assert.That(told, Is.SupersetOf(sweep.Values.Select(Alate.Drawing.LineChart.Label)));
@@ -130,6 +135,19 @@ namespace Alate.Tests.Cli
             using var wake = WakeFlight.Smooth(TetheredFlight.Fly(WakeFigures.Flown), new WakePlan());
             byte[] shown = File.ReadAllBytes(Path.Combine(s_Folder, "images", "wake-monarch.png"));
             Assert.That(WakePicture.Draw(wake).SequenceEqual(shown), Is.True);
+        }
+
+        [Test]
+        [Explicit]
+        [Category("Long")]
+        public void TheOwnInsectOfTheFrontPage_FliesWithoutTearing_AndItsFilmIsTheOneThatIsMadeNow()
+        {
+            InsectDefinition moth = FiguresCommand.MakeOwn(s_Folder);
+            FlightSummary summary = FlightSummary.Of(TetheredFlight.Fly(FlightPlan.Cruise(moth, InsectVariant.Standard)));
+            Assert.That(summary.Wings.Max(wing => wing.EdgeStretchMaxPct), Is.LessThan(10));
+            var film = Film.Fly(FiguresCommand.OwnFilm(moth));
+            byte[] shown = File.ReadAllBytes(Path.Combine(s_Folder, "images", "mymoth-film.png"));
+            Assert.That(film.Animation(film.Draw(_ => { })).SequenceEqual(shown), Is.True);
         }
 
         [Test]

@@ -45,7 +45,8 @@ namespace Alate.Tests.Cli
             }));
             JsonNode file = ReadFile();
             Assert.That(((double)file["massMilligrams"], (double)file["beat"]["frequencyHertz"]), Is.EqualTo((1600.0, 25.0)));
-            Assert.That(((double)Wing(file, 0)["lengthMillimetres"], (double)Wing(file, 1)["lengthMillimetres"]), Is.EqualTo((50.0, 38.0)));
+            Assert.That((double)Wing(file, 0)["lengthMillimetres"], Is.EqualTo(50));
+            AssertPointsBack((double)Wing(file, 1)["lengthMillimetres"], 38);
             string flight = Path.Combine(m_Run.Folder, "flight");
             Assert.That(m_Run.Run("fly", FilePath, "--pitch", "20", "--no-pictures", "--out", flight), Is.Zero, m_Run.Errors);
             var summary = JsonNode.Parse(File.ReadAllText(Path.Combine(flight, "summary.json")));
@@ -57,6 +58,39 @@ namespace Alate.Tests.Cli
                 Is.SupersetOf(new[] { "fore.png", "hind.png" }));
             var glb = new GlbFile(File.ReadAllBytes(Path.Combine(flight, "wings.glb")));
             Assert.That(glb.Root.GetProperty("images").GetArrayLength(), Is.GreaterThanOrEqualTo(2));
+        }
+
+        // As a swallowtail's: the middle of its area lies behind the hinge, and less of its length across the body.
+        private void AssertPointsBack(double across, double length)
+        {
+            InsectDefinition[] insects = [KnownSpecies.Find(FilePath), InsectCatalogue.Find("swallowtail")];
+            WingDefinition[] wings = [.. insects.Select(insect => insect.Wings[1])];
+            double[] angles = [.. wings.Select(Angle)];
+            Assert.That(angles[0], Is.EqualTo(angles[1]).Within(0.1));
+            Assert.That(angles[0], Is.InRange(-70, -30), "degrees; a traced wing lies straight across");
+            SurfaceMesh shape = wings[0].CreateSurface(WingSide.Right);
+            // The way to the middle of what lies far out is that from hinge to tip in the picture.
+            double toTip = shape.positions.Max(place => (double)place.x * Math.Cos(angles[0] * Math.PI / 180)
+                + (double)place.z * Math.Sin(angles[0] * Math.PI / 180)), most = shape.positions.Max(place => (double)place.x);
+            Assert.That(across * toTip / most, Is.EqualTo(length).Within(2).Percent);
+        }
+
+        // Of the middle of the area before the axis across the body, from the hinge.
+        private static double Angle(WingDefinition wing)
+        {
+            SurfaceMesh surface = wing.CreateSurface(WingSide.Right);
+            UnityEngine.Vector3 hinge = wing.CreateSkeleton(WingSide.Right).Hinge;
+            double x = 0, z = 0;
+            for (int k = 0; k < surface.triangles.Length; k += 3)
+            {
+                UnityEngine.Vector3[] at = [.. surface.triangles.Skip(k).Take(3).Select(corner => surface.positions[corner] - hinge)];
+                UnityEngine.Vector3 one = at[1] - at[0], other = at[2] - at[0];
+                double area = Math.Abs((double)one.x * other.z - (double)other.x * one.z);
+                x += area * at.Sum(place => place.x);
+                z += area * at.Sum(place => place.z);
+            }
+
+            return Math.Atan2(z, x) * 180 / Math.PI;
         }
 
         [Test]
