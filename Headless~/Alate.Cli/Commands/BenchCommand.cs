@@ -1,4 +1,5 @@
 using System.CommandLine;
+using System.Diagnostics;
 using Alate.Benchmarks;
 
 namespace Alate.Cli;
@@ -6,6 +7,9 @@ namespace Alate.Cli;
 /// <summary><c>bench</c>: the kernels against what one would write at first, as ratios within this process.</summary>
 internal static class BenchCommand
 {
+    /// <summary>Variable of .NET that has each method compiled once and for all; the tool's own setting gives way to it.</summary>
+    private const string k_Tiers = "DOTNET_TieredCompilation";
+
     public static Command Create(TextWriter output)
     {
         var json = new Option<string>("--json") { HelpName = "FILE", Description = "Also write the ratios as JSON to this file." };
@@ -21,10 +25,27 @@ internal static class BenchCommand
             if (parsed.GetValue(hash) && parsed.GetValue(json) != null)
                 parsed.AddError("--hash measures nothing: leave out --json.");
         });
-        command.SetAction(parsed => parsed.GetValue(hash)
-            ? SceneHashes.Run(output)
-            : Run(parsed.GetValue(json), stream => BenchmarkSuite.Run(stream, output)));
+        command.SetAction(parsed =>
+        {
+            if (parsed.GetValue(hash))
+                return SceneHashes.Run(output);
+            return Environment.GetEnvironmentVariable(k_Tiers) == null
+                ? RunWithoutTiers([.. parsed.Tokens.Select(token => token.Value)])
+                : Run(parsed.GetValue(json), stream => BenchmarkSuite.Run(stream, output));
+        });
         return command;
+    }
+
+    // The same command in a process of its own.
+    private static int RunWithoutTiers(string[] words)
+    {
+        string program = Environment.ProcessPath;
+        bool isHost = Path.GetFileNameWithoutExtension(program) == "dotnet";
+        var start = new ProcessStartInfo(program, isHost ? [typeof(BenchCommand).Assembly.Location, .. words] : words);
+        start.Environment[k_Tiers] = "0";
+        using var process = Process.Start(start);
+        process.WaitForExit();
+        return process.ExitCode;
     }
 
     /// <summary>Runs the measurements and writes their figures; a file that cannot be is refused before anything is measured.</summary>

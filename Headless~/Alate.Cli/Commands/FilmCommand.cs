@@ -97,15 +97,13 @@ internal static class FilmCommand
         {
             var film = Film.Fly(plan);
             stage("painting");
-            List<Color32[]> frames = film.Draw(done);
+            Color32[][] frames = film.Draw(done);
             stage("writing");
             folder.Write(k_Film, stream => stream.Write(film.Animation(frames)));
+            byte[][] files = Concurrently.Map(
+                frames, 8L * film.Size.x * film.Size.y, frame => IndexedPng.Write(film.Size.x, film.Size.y, frame, []));
             for (int k = 0; k < count; k++)
-            {
-                Color32[] frame = frames[k];
-                folder.Write(Path.Combine("frames", $"{k + 1:0000}.png"),
-                    stream => stream.Write(IndexedPng.Write(film.Size.x, film.Size.y, frame, [])));
-            }
+                folder.Write(Path.Combine("frames", $"{k + 1:0000}.png"), stream => stream.Write(files[k]));
             if (plan.SoundFile != null)
                 OutputFile.Write(plan.SoundFile, stream => WavFile.Write(stream, film.Sound(), FilmSound.Rate));
         });

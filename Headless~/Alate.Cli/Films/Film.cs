@@ -50,7 +50,7 @@ internal sealed class Film
 
     /// <summary>Paints every frame.</summary>
     /// <param name="done">Told the frames done.</param>
-    public List<Color32[]> Draw(Action<int> done)
+    public Color32[][] Draw(Action<int> done)
     {
         List<PhotoScene> scenes = m_Flights.ConvertAll(flight => FlightPhoto.Scene(flight, m_Plan.Flight.View));
         var frames = new List<List<(PhotoScene Scene, Pose Pose)>>();
@@ -66,8 +66,7 @@ internal sealed class Film
         }
 
         List<StripPanel> panels = Panels(frames.SelectMany(frame => frame).Select(seen => seen.Pose.Bounds()).ToList());
-        var pictures = new List<Color32[]>();
-        foreach (List<(PhotoScene Scene, Pose Pose)> frame in frames)
+        return Concurrently.Map(frames, SampleGrid.BytesOf(Size), frame =>
         {
             var page = new PixelPage();
             for (int k = 0; k < frame.Count; k++)
@@ -77,11 +76,8 @@ internal sealed class Film
                     page.Text(panels[k].Left + 0.5f * panels[k].Width, 24f, 15f, m_Plan.Columns[k].Title, "middle", "b");
             }
 
-            pictures.Add(page.Draw(Size));
-            done(pictures.Count);
-        }
-
-        return pictures;
+            return page.Draw(Size);
+        }, done);
     }
 
     /// <summary>The film as an animated PNG file.</summary>

@@ -79,11 +79,15 @@ internal sealed class PixelPage
     {
         var pixels = new float3[size.x * size.y];
         Array.Fill(pixels, Shading.Paper);
-        foreach ((PhotoScene scene, Pose pose, StripPanel panel) in m_Photos)
+        long largest = m_Photos.Select(photo => SampleGrid.BytesOf(PhotoScene.SizeOf(photo.Panel, Fineness))).DefaultIfEmpty().Max();
+        Color32[][] painted = Concurrently.Map(m_Photos, largest, photo => photo.Scene.Draw(photo.Pose, photo.Panel, Fineness));
+        for (int k = 0; k < painted.Length; k++)
         {
-            Blend(pixels, size, scene.Draw(pose, panel, Fineness), (int2)math.round(Fineness * new float2(panel.Left, panel.Top)),
+            StripPanel panel = m_Photos[k].Panel;
+            Blend(pixels, size, painted[k], (int2)math.round(Fineness * new float2(panel.Left, panel.Top)),
                 PhotoScene.SizeOf(panel, Fineness));
         }
+
         foreach ((float2[] points, float pen, float3 colour) in m_Strokes)
         {
             foreach ((int pixel, float covered) in Pen.Cover(size, Array.ConvertAll(points, point => Fineness * point), pen * Fineness))

@@ -46,6 +46,9 @@ internal sealed class SampleGrid
         Array.Fill(m_Last, k_None);
     }
 
+    /// <summary>Memory of a grid of so many pixels, without layers of glass.</summary>
+    public static long BytesOf(int2 size) => 20L * k_Fineness * k_Fineness * size.x * size.y;
+
     /// <summary>Pixels.</summary>
     public int Width { get; }
 

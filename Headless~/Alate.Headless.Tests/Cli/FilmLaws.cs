@@ -59,13 +59,13 @@ public sealed class FilmLaws
     {
         var plan = new FilmPlan { Flight = new FlightPlan { Species = "monarch" }, Frames = 4, Beats = 1, Width = 120, HasWake = true };
         var film = Film.Fly(plan);
-        List<UnityEngine.Color32[]> frames = film.Draw(_ => { });
+        UnityEngine.Color32[][] frames = film.Draw(_ => { });
         int width = film.Size.x;
         int[] reds = [.. frames.Select(frame => frame.Count(pixel => pixel.r > pixel.g + 25 && pixel.r < pixel.b + 90))];
 
         Assert.That(reds, Is.All.GreaterThan(100), "paler than a monarch's orange");
         int[] sides = [.. Enumerable.Range(0, width * film.Size.y).Where(k => k % width is 0 or 119)];
-        Assert.That(frames.TrueForAll(frame => sides.All(k => frame[k].Equals(frame[0]))), "paper at both sides");
+        Assert.That(frames.All(frame => sides.All(k => frame[k].Equals(frame[0]))), "paper at both sides");
         Assert.That(film.Count, Is.EqualTo(4));
     }
 
@@ -90,9 +90,9 @@ public sealed class FilmLaws
         var there = new FilmPlan { Flight = new FlightPlan { Species = "firefly", Seconds = 0.2 }, Frames = 1, Turn = 100, Width = 160 };
         PictureView view = there.Flight.View;
         FilmPlan back = there with { Flight = there.Flight with { View = view with { Aside = view.Aside + 50f } }, Turn = -100 };
-        List<UnityEngine.Color32[]> one = Film.Fly(there).Draw(_ => { }), other = Film.Fly(back).Draw(_ => { });
+        UnityEngine.Color32[][] one = Film.Fly(there).Draw(_ => { }), other = Film.Fly(back).Draw(_ => { });
 
-        Assert.That(one, Has.Count.EqualTo(2));
+        Assert.That(one, Has.Length.EqualTo(2));
         Assert.That(one[0], Is.Not.EqualTo(one[1]));
         Assert.That(one[0], Is.EqualTo(other[1]));
         Assert.That(one[1], Is.EqualTo(other[0]));

@@ -161,7 +161,7 @@ public sealed class FlightFileLaws
         };
         var film = Film.Fly(plan);
         var told = new List<int>();
-        List<Color32[]> frames = film.Draw(told.Add);
+        Color32[][] frames = film.Draw(told.Add);
         int width = film.Size.x, height = film.Size.y;
         Color32 paper = frames[0][0];
         using var folder = new TemporaryFolder();
@@ -175,7 +175,7 @@ public sealed class FlightFileLaws
         for (int half = 0; half < 2; half++)
         {
             int[] painted = [.. Enumerable.Range(0, width * height).Where(k => k / width > 55 && k % width / (width / 2) == half
-                && frames.Exists(frame => !frame[k].Equals(paper))).Select(k => k % width - half * width / 2)];
+                && frames.Any(frame => !frame[k].Equals(paper))).Select(k => k % width - half * width / 2)];
             Assert.That(painted.Min(), Is.InRange(16, 40));
             Assert.That(painted.Max(), Is.InRange(80, 104));
             int[] title = [.. Enumerable.Range(0, width * height).Where(k => k / width < 50 && k % width / (width / 2) == half

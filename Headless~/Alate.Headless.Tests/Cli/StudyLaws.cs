@@ -151,16 +151,16 @@ public sealed class StudyLaws
     public void AFilm_HoldsAllOfTheBeatWithinEqualMargins()
     {
         var film = Film.Fly(new FilmPlan { Flight = new FlightPlan { Species = "monarch" }, Frames = 4, Beats = 1, Width = 120 });
-        List<Color32[]> frames = film.Draw(_ => { });
+        Color32[][] frames = film.Draw(_ => { });
         int width = film.Size.x, height = film.Size.y;
         Color32 ground = frames[0][0];
-        int[] columns = Enumerable.Range(0, width * height).Where(k => frames.Exists(frame => !frame[k].Equals(ground)))
+        int[] columns = Enumerable.Range(0, width * height).Where(k => frames.Any(frame => !frame[k].Equals(ground)))
             .Select(k => k % width).ToArray();
-        int[] rows = Enumerable.Range(0, width * height).Where(k => frames.Exists(frame => !frame[k].Equals(ground)))
+        int[] rows = Enumerable.Range(0, width * height).Where(k => frames.Any(frame => !frame[k].Equals(ground)))
             .Select(k => k / width).ToArray();
         int left = columns.Min(), right = width - 1 - columns.Max(), above = rows.Min(), below = height - 1 - rows.Max();
 
-        Assert.That(frames.TrueForAll(frame => frame.Length == width * height), Is.True);
+        Assert.That(frames.All(frame => frame.Length == width * height), Is.True);
         double inset = 14.0 * PixelPage.Fineness;
         Assert.That((double)left, Is.EqualTo(inset).Within(0.3 * inset + 2.0), $"{left} {right} {above} {below} of {width} x {height}");
         Assert.That(right, Is.EqualTo(left).Within(3));

@@ -1,5 +1,3 @@
-using UnityEngine;
-
 namespace Alate.Cli;
 
 /// <summary>
