@@ -143,7 +143,7 @@ namespace Alate.Tests.Cli
         public void TheOwnInsectOfTheFrontPage_FliesWithoutTearing_AndItsFilmIsTheOneThatIsMadeNow()
         {
             InsectDefinition moth = FiguresCommand.MakeOwn(s_Folder);
-            FlightSummary summary = FlightSummary.Of(TetheredFlight.Fly(FlightPlan.Cruise(moth, InsectVariant.Standard)));
+            var summary = FlightSummary.Of(TetheredFlight.Fly(FlightPlan.Cruise(moth, InsectVariant.Standard)));
             Assert.That(summary.Wings.Max(wing => wing.EdgeStretchMaxPct), Is.LessThan(10));
             var film = Film.Fly(FiguresCommand.OwnFilm(moth));
             byte[] shown = File.ReadAllBytes(Path.Combine(s_Folder, "images", "mymoth-film.png"));
