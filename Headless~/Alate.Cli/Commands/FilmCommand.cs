@@ -43,10 +43,15 @@ internal static class FilmCommand
         {
             Description = "With --sound: as slow as the film. Few insects beat fast enough to be heard so.",
         };
+        var video = new Option<string>("--video")
+        {
+            HelpName = "FILE",
+            Description = "Writes the film as a video too, .mp4 or .webm, with the sound where there is one. Needs ffmpeg.",
+        };
         var folder = new Option<string>("--out") { HelpName = "DIR", Description = "Where the files go. [default: out/SPECIES-film]" };
         var command = new Command("film", "Films an insect in slow motion: an animated picture, and its frames.")
         {
-            species, variant, speed, free, compare, wake, beats, frames, rate, turn, width, view, sound, slowSound, folder,
+            species, variant, speed, free, compare, wake, beats, frames, rate, turn, width, view, sound, slowSound, video, folder,
         };
         HelpExamples.Set(command, k_Examples);
         command.SetAction(parsed =>
@@ -79,6 +84,7 @@ internal static class FilmCommand
                 Width = parsed.GetValue(width) ?? FilmPlan.DefaultWidth,
                 SoundFile = parsed.GetValue(sound),
                 IsSoundSlow = parsed.GetValue(slowSound),
+                VideoFile = parsed.GetValue(video),
             };
             Run(plan, parsed.GetValue(folder) ?? Path.Combine("out", insect.Name + "-film"), output);
             return 0;
@@ -91,6 +97,8 @@ internal static class FilmCommand
         using var folder = OutputFolder.Prepare(path, k_Film);
         if (plan.SoundFile != null)
             OutputFile.Check(plan.SoundFile);
+        if (plan.VideoFile != null)
+            FilmVideo.Check(plan.VideoFile);
         var terminal = new Terminal(output);
         int count = plan.Beats * plan.Frames;
         terminal.ShowProgress(count, (done, stage) =>
@@ -104,12 +112,23 @@ internal static class FilmCommand
                 frames, 8L * film.Size.x * film.Size.y, frame => IndexedPng.Write(film.Size.x, film.Size.y, frame, []));
             for (int k = 0; k < count; k++)
                 folder.Write(Path.Combine("frames", $"{k + 1:0000}.png"), stream => stream.Write(files[k]));
-            if (plan.SoundFile != null)
-                OutputFile.Write(plan.SoundFile, stream => WavFile.Write(stream, film.Sound(), FilmSound.Rate));
+            byte[] sound = plan.SoundFile == null ? null : Heard(film);
+            if (sound != null)
+                OutputFile.Write(plan.SoundFile, stream => stream.Write(sound));
+            if (plan.VideoFile != null)
+                FilmVideo.Write(plan.VideoFile, film.Size, plan.Rate, frames, sound);
         });
         folder.Commit();
         string numbered = Path.Combine("frames", $"0001.png … {count:0000}.png");
-        terminal.ShowFiles(path, plan.SoundFile == null ? [k_Film, numbered] : [k_Film, numbered, Path.GetFullPath(plan.SoundFile)]);
+        string[] others = [.. new[] { plan.SoundFile, plan.VideoFile }.Where(file => file != null).Select(Path.GetFullPath)];
+        terminal.ShowFiles(path, [k_Film, numbered, .. others]);
+    }
+
+    private static byte[] Heard(Film film)
+    {
+        using var stream = new MemoryStream();
+        WavFile.Write(stream, film.Sound(), FilmSound.Rate);
+        return stream.ToArray();
     }
 
     private const string k_Examples =
@@ -118,9 +137,10 @@ internal static class FilmCommand
         + "  film fishfly --compare --width 1200\n"
         + "  film monarch --free\n"
         + "  film monarch --variant flight --wake --beats 1\n"
-        + "  film dragonfly --sound dragonfly.wav\n\n"
+        + "  film dragonfly --sound dragonfly.wav\n"
+        + "  film monarch --beats 6 --video monarch.mp4\n\n"
         + "Writes into the output folder:\n"
         + "  film.png         the film, an animated PNG that browsers and README pages play in a loop, with --free once\n"
-        + "  frames/0001.png  its frames, for 'ffmpeg -framerate 24 -i frames/%04d.png film.mp4'\n\n"
+        + "  frames/0001.png  its frames\n\n"
         + "Exit code: 0 when all is written, 2 for bad usage or input (nothing is written then).\n";
 }

@@ -32,6 +32,9 @@ internal sealed record FilmPlan
     /// <summary>File that takes the sound; null for none.</summary>
     public string SoundFile { get; init; }
 
+    /// <summary>File that takes the film as a video; null for none.</summary>
+    public string VideoFile { get; init; }
+
     /// <summary>True where the sound is as slow as the film, else it is that of the insect.</summary>
     public bool IsSoundSlow { get; init; }
 
