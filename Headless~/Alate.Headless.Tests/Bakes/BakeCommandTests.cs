@@ -9,10 +9,11 @@ namespace Alate.Tests.Bakes
     /// <summary>Answers of <c>bake</c> to input that it cannot take: one line, exit code 2, nothing written.</summary>
     public sealed class BakeCommandTests
     {
-        [TestCase(
-            "monarch --clips cruise,dive", "There is no clip 'dive'. Known: cruise, hover, climb, turn-left, turn-right, glide, rest.")]
+        [TestCase("monarch --clips cruise,dive",
+            "There is no clip 'dive'. Known: cruise, hover, climb, turn-left, turn-right, glide, rest, folded, bask.")]
         [TestCase("monarch --clips cruise,Cruise", "Clip 'cruise' is asked for twice.")]
-        [TestCase("monarch --clips ,", "No clip is asked for. Known: cruise, hover, climb, turn-left, turn-right, glide, rest.")]
+        [TestCase("monarch --clips ,",
+            "No clip is asked for. Known: cruise, hover, climb, turn-left, turn-right, glide, rest, folded, bask.")]
         [TestCase("monarch --format fbx", "--format takes openvat, gltf-skin or gltf-morph, not 'fbx'.")]
         [TestCase("dodo", "Unknown species 'dodo'.")]
         [TestCase("monarch --variant biological", "There is no biological monarch.")]

@@ -124,7 +124,15 @@ namespace Alate.Crowds
             // One body has one speed, also where its wings are drawn at slightly different scales.
             around.speed = m_Motion.SpeedOf(m_MaxSpeed);
             m_Motion.Apply(wing.Wing.Side, ref parameters);
-            return m_World.Add(wing.Rig, parameters.Clamped(), around);
+            WingHandle added = m_World.Add(wing.Rig, parameters.Clamped(), around);
+            float fold = m_Motion.Steering.Clamped().fold;
+            if (fold > 0f)
+            {
+                m_World.SetDrive(added, values.Folded(fold));
+                m_World.Reset(added);
+            }
+
+            return added;
         }
 
         private void CheckFrequencies()

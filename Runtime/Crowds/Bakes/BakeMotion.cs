@@ -20,6 +20,8 @@ namespace Alate.Crowds
             new BakeMotion("turn-right") { Speed = 0.5f, Roll = 0.15f, TurnDegrees = 60f, IsFlown = true },
             new BakeMotion("glide") { Speed = 0.65f, Steering = Beat(0f, 8f) },
             new BakeMotion("rest") { Steering = Beat(0f, 0f) },
+            new BakeMotion("folded") { Steering = Folded(1f) },
+            new BakeMotion("bask") { Steering = Folded(0.3f) },
         };
 
         /// <summary>A level motion without speed, with the preset's beat.</summary>
@@ -115,6 +117,8 @@ namespace Alate.Crowds
             Steering.Clamped().Apply(ref parameters);
             parameters.amplitudeScale *= side == WingSide.Left ? 1f + Roll : 1f - Roll;
         }
+
+        private static InsectSteering Folded(float share) => new InsectSteering { frequencyScale = 1f, fold = share };
 
         private static InsectSteering Beat(float amplitude, float meanFlap) =>
             new InsectSteering { frequencyScale = 1f, amplitudeScale = amplitude, meanFlap = meanFlap };

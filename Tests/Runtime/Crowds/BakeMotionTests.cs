@@ -85,11 +85,12 @@ namespace Alate.Tests.Crowds
         {
             foreach (BakeMotion motion in BakeMotion.All)
             {
-                bool still = motion.Name == "glide" || motion.Name == "rest";
+                bool still = motion.Name is "glide" or "rest" or "folded" or "bask";
                 Assert.That(motion.Steering.amplitudeScale == 0f, Is.EqualTo(still), motion.Name);
                 Assert.That(motion.IsFlown, Is.EqualTo(!still), motion.Name);
                 Assert.That(motion.Climb > 0f, Is.EqualTo(motion.Name == "climb"), motion.Name);
-                Assert.That(motion.Speed == 0f, Is.EqualTo(motion.Name == "hover" || motion.Name == "rest"), motion.Name);
+                Assert.That(motion.Speed == 0f, Is.EqualTo(motion.Name is "hover" or "rest" or "folded" or "bask"), motion.Name);
+                Assert.That(motion.Steering.fold > 0f, Is.EqualTo(motion.Name is "folded" or "bask"), motion.Name);
             }
         }
     }

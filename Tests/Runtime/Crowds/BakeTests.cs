@@ -187,6 +187,38 @@ namespace Alate.Tests.Crowds
             }
         }
 
+        [TestCase("monarch")]
+        [TestCase("painted-lichen-moth")]
+        public void WingsThatSit_LieAsThePresetsRestSays_AndOpenBy07OfIt_WhereTheInsectBasks(string species)
+        {
+            InsectWings insect = Insect(species);
+            InsectBake bake = Bake(insect, "rest", "folded", "bask");
+            PresetRest rest = insect.Preset.Rest;
+            float3 spread = Aside(0, 0f), folded = Aside(1, 1f), bask = Aside(2, 0.3f);
+            Assert.That(math.distance(spread, folded), Is.GreaterThan(0.7f), "folded up or back");
+            Assert.That(math.distance(spread, bask), Is.InRange(0.1f, 0.7f));
+
+            // To the middle of the leading chain from the hinge, as the drive turns a stiff wing: swept in its plane, then raised.
+            float3 Aside(int clip, float share)
+            {
+                BakedWing wing = bake.Wings[0];
+                BakedFrame frame = bake.Clips[clip].Frames[0];
+                Assert.That(bake.Clips[clip].Frames, Has.Count.EqualTo(1), "still");
+                float3 shown = math.normalize(frame.Joints[wing.FirstJoint + 2].position - wing.RestJoints[0]);
+                float3 made = math.normalize(wing.RestJoints[2] - wing.RestJoints[0]);
+                if (rest.feather == 0f && rest.tilt == 0f)
+                {
+                    float middle = math.degrees(insect.Preset.ToParameters().meanFlap);
+                    float flap = math.lerp(share > 0f ? middle : math.degrees(math.asin(shown.y)), rest.flap, share);
+                    float3 swept = math.rotate(quaternion.RotateY(math.radians(-share * rest.sweep)), made);
+                    float3 raised = math.rotate(quaternion.RotateZ(math.radians(flap)), swept);
+                    Assert.That(math.degrees(math.acos(math.dot(shown, raised))), Is.LessThan(8f), $"clip {clip}");
+                }
+
+                return shown;
+            }
+        }
+
         [Test]
         public void JointsWithLinearBlends_DifferLittle()
         {
