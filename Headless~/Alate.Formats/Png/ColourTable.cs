@@ -17,33 +17,35 @@ internal sealed class ColourTable
     private static readonly int[,] s_Order = { { 0, 8, 2, 10 }, { 12, 4, 14, 6 }, { 3, 11, 1, 9 }, { 15, 7, 13, 5 } };
 
     private readonly Dictionary<int, byte> m_Nearest = [];
+    private readonly int m_Ground;
 
     /// <param name="ground">A colour that is kept as it is.</param>
     /// <param name="pixels">All colours; opacity does not count.</param>
     /// <param name="most">Entries, at most 256.</param>
     public ColourTable(Color32 ground, IEnumerable<Color32> pixels, int most)
     {
-        var cells = new Dictionary<int, Cell>();
+        var cells = new Cell[1 << (3 * k_Bits)];
         foreach (Color32 pixel in pixels)
         {
-            if (pixel.Equals(ground))
+            if (Key(pixel) == Key(ground))
                 continue;
-            int key = (pixel.r >> (8 - k_Bits) << (2 * k_Bits)) | (pixel.g >> (8 - k_Bits) << k_Bits) | (pixel.b >> (8 - k_Bits));
-            cells.TryGetValue(key, out Cell cell);
-            cells[key] = new Cell(cell.R + pixel.r, cell.G + pixel.g, cell.B + pixel.b, cell.Count + 1);
+            ref Cell cell = ref cells[
+                (pixel.r >> (8 - k_Bits) << (2 * k_Bits)) | (pixel.g >> (8 - k_Bits) << k_Bits) | (pixel.b >> (8 - k_Bits))];
+            cell = new Cell(cell.R + pixel.r, cell.G + pixel.g, cell.B + pixel.b, cell.Count + 1);
         }
 
-        var boxes = new List<List<Cell>> { cells.Values.ToList() };
+        var boxes = new List<Box> { new(Array.FindAll(cells, cell => cell.Count > 0)) };
         while (boxes.Count < most - 1)
         {
-            List<Cell> widest = boxes.Where(box => box.Count > 1).MaxBy(Spread);
+            Box widest = boxes.Where(box => box.Cells.Length > 1).MaxBy(box => box.Spread);
             if (widest == null)
                 break;
             boxes.Remove(widest);
-            boxes.AddRange(Halves(widest));
+            boxes.AddRange(widest.Halves());
         }
 
-        Colours = boxes.Where(box => box.Count > 0).Select(Mean).Prepend(ground).ToArray();
+        Colours = boxes.Where(box => box.Cells.Length > 0).Select(box => box.Mean).Prepend(ground).ToArray();
+        m_Ground = Key(ground);
     }
 
     /// <summary>The entries.</summary>
@@ -55,6 +57,8 @@ internal sealed class ColourTable
     /// </summary>
     public byte IndexOf(Color32 colour, int x, int y)
     {
+        if (Key(colour) == m_Ground)
+            return 0;
         byte nearest = IndexOf(colour);
         Color32 entry = Colours[nearest];
         if (Math.Abs(entry.r - colour.r) + Math.Abs(entry.g - colour.g) + Math.Abs(entry.b - colour.b) <= k_Near)
@@ -67,7 +71,7 @@ internal sealed class ColourTable
 
     private byte IndexOf(Color32 colour)
     {
-        int key = (colour.r << 16) | (colour.g << 8) | colour.b;
+        int key = Key(colour);
         if (m_Nearest.TryGetValue(key, out byte index))
             return index;
         int least = int.MaxValue;
@@ -83,24 +87,45 @@ internal sealed class ColourTable
         return index;
     }
 
-    // Variance that a cut can save; the square root of the count keeps large plain grounds from taking all.
-    private static double Spread(List<Cell> box) =>
-        Enumerable.Range(0, 3).Max(channel => Range(box, channel)) * Math.Sqrt(Math.Sqrt(box.Sum(cell => (double)cell.Count)));
+    private static int Key(Color32 colour) => (colour.r << 16) | (colour.g << 8) | colour.b;
 
-    private static double Range(List<Cell> box, int channel) => box.Max(cell => cell.Of(channel)) - box.Min(cell => cell.Of(channel));
-
-    private static List<Cell>[] Halves(List<Cell> box)
+    /// <summary>Colours that become one.</summary>
+    private sealed class Box
     {
-        int channel = Enumerable.Range(0, 3).MaxBy(one => Range(box, one));
-        double middle = 0.5 * (box.Max(cell => cell.Of(channel)) + box.Min(cell => cell.Of(channel)));
-        return [box.FindAll(cell => cell.Of(channel) <= middle), box.FindAll(cell => cell.Of(channel) > middle)];
-    }
+        private readonly int m_Widest;
+        private readonly double m_Middle;
 
-    private static Color32 Mean(List<Cell> box)
-    {
-        long count = Math.Max(box.Sum(cell => cell.Count), 1);
-        return new Color32((byte)(box.Sum(cell => cell.R) / count), (byte)(box.Sum(cell => cell.G) / count),
-            (byte)(box.Sum(cell => cell.B) / count), byte.MaxValue);
+        public Box(Cell[] cells)
+        {
+            Cells = cells;
+            double range = 0;
+            for (int channel = 0; channel < 3 && cells.Length > 0; channel++)
+            {
+                double least = cells.Min(cell => cell.Of(channel)), most = cells.Max(cell => cell.Of(channel));
+                if (channel == 0 || most - least > range)
+                    (m_Widest, range, m_Middle) = (channel, most - least, 0.5 * (most + least));
+            }
+
+            Spread = range * Math.Sqrt(Math.Sqrt(cells.Sum(cell => (double)cell.Count)));
+        }
+
+        public Cell[] Cells { get; }
+
+        /// <summary>Variance that a cut can save; the root of the count keeps large plain grounds from taking all.</summary>
+        public double Spread { get; }
+
+        public Color32 Mean
+        {
+            get
+            {
+                long count = Cells.Sum(cell => cell.Count);
+                return new Color32((byte)(Cells.Sum(cell => cell.R) / count), (byte)(Cells.Sum(cell => cell.G) / count),
+                    (byte)(Cells.Sum(cell => cell.B) / count), byte.MaxValue);
+            }
+        }
+
+        public Box[] Halves() => [new(Array.FindAll(Cells, cell => cell.Of(m_Widest) <= m_Middle)),
+            new(Array.FindAll(Cells, cell => cell.Of(m_Widest) > m_Middle))];
     }
 
     /// <summary>Sums of the colours that are gathered.</summary>
