@@ -6,6 +6,12 @@ internal sealed class PhotoSurface
     /// <summary>Half the width of the line around a wing, pixels.</summary>
     private const float k_HalfLine = 0.55f;
 
+    /// <summary>The same of an outline alone.</summary>
+    private const float k_HalfOutline = 0.8f;
+
+    /// <summary>Depth of the line around a wing over the wing's own: a little nearer. An outline alone lies before all else.</summary>
+    private const float k_Nearer = 0.9985f, k_Before = 0.1f;
+
     /// <summary>Light of that line over the wing's own.</summary>
     private const float k_LineLight = 0.3f;
 
@@ -21,6 +27,14 @@ internal sealed class PhotoSurface
     private readonly Func<float4, float, float4> m_ColourOf;
     private readonly List<MarginEdge> m_Margin;
     private readonly bool m_IsThin, m_HasPattern;
+    private readonly float m_HalfLine = k_HalfLine, m_LineDepth = k_Nearer;
+
+    private PhotoSurface(int index, List<MarginEdge> margin, float4[] values)
+        : this(index, [], values, (value, _) => value / k_LineLight, true, false, margin)
+    {
+        m_HalfLine = k_HalfOutline;
+        m_LineDepth = k_Before;
+    }
 
     private PhotoSurface(
         int index, int[] triangles, float4[] values, Func<float4, float, float4> colourOf, bool isThin, bool hasPattern,
@@ -51,6 +65,14 @@ internal sealed class PhotoSurface
         int index, float3[] rest, int[] triangles, float4[] values, Func<float4, float, float4> colourOf, bool hasPattern = false,
         bool hasEdge = true) => new(
             index, triangles, values, colourOf ?? ((_, _) => s_Membrane), true, hasPattern, hasEdge ? MeshMargin.Of(rest, triangles) : []);
+
+    /// <summary>The line around a wing alone, before all else.</summary>
+    /// <param name="index">Its number among the surfaces of the picture.</param>
+    /// <param name="rest">[vertex] Places of the wing at rest.</param>
+    /// <param name="triangles">Three vertex indices a triangle.</param>
+    /// <param name="light">Its linear light.</param>
+    public static PhotoSurface Outline(int index, float3[] rest, int[] triangles, float3 light) =>
+        new(index, MeshMargin.Of(rest, triangles), Array.ConvertAll(rest, _ => new float4(light, 1f)));
 
     /// <summary>Draws the surface.</summary>
     /// <param name="grid">Where to.</param>
@@ -117,12 +139,11 @@ internal sealed class PhotoSurface
     // Two triangles, a little nearer than the wing, and beyond both ends so that lines in a row join.
     private void DrawLine(SampleGrid grid, float3 from, float3 to, float4 light)
     {
-        const float k_Nearer = 0.9985f;
-        float2 along = k_HalfLine * SampleGrid.k_Fineness * math.normalizesafe(to.xy - from.xy), aside = new(-along.y, along.x);
+        float2 along = m_HalfLine * SampleGrid.k_Fineness * math.normalizesafe(to.xy - from.xy), aside = new(-along.y, along.x);
         float2 start = from.xy - 0.5f * along, end = to.xy + 0.5f * along;
         TriangleSamples.Visitor draw = (x, y, _) =>
         {
-            float depth = k_Nearer * math.min(from.z, to.z);
+            float depth = m_LineDepth * math.min(from.z, to.z);
             if (grid.IsSeen(x, y, depth))
                 grid.Add(x, y, depth, light, m_Index);
         };

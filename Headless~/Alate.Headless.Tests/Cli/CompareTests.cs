@@ -5,6 +5,7 @@ using System.IO;
 using System.Linq;
 using Alate.Cli;
 using NUnit.Framework;
+using Unity.StandIns;
 
 namespace Alate.Tests.Cli
 {
@@ -72,6 +73,19 @@ namespace Alate.Tests.Cli
                 Is.SupersetOf(new[] { "Monarch", "Rigid wing", "No deformation wave", "Full model", "Elasticity × 4", "0°", "180°" }));
             Assert.That(texts, Does.Contain(Of("monarch", "twist_pp_deg")[2].ToString("0.0", CultureInfo.InvariantCulture)));
             Assert.That(new FileInfo(Path.Combine(m_Run.Out, "monarch.png")).Length, Is.LessThan(300_000));
+        }
+
+        [Test]
+        public void TheFullModelsWings_AreOutlinedInTheOtherColumns()
+        {
+            var picture = PngFile.Read(File.ReadAllBytes(Path.Combine(m_Run.Out, "monarch.png")));
+            // Behind 62 units of labels four panels of 236, one and a half pixels a unit.
+            int[] blue = [.. Enumerable.Range(0, 4).Select(column => Enumerable.Range(0, picture.Pixels.Length).Count(k =>
+                k % picture.Width / 1.5 > 62 + 236 * column && k % picture.Width / 1.5 < 62 + 236 * (column + 1)
+                && picture.Pixels[k].b > picture.Pixels[k].r + 60))];
+
+            Assert.That(blue[2], Is.Zero, "the full model");
+            Assert.That(new[] { blue[0], blue[1], blue[3] }, Is.All.GreaterThan(400));
         }
 
         [Test]
@@ -144,8 +158,9 @@ namespace Alate.Tests.Cli
                     CultureInfo.InvariantCulture)).Within(0.00502));
             }
 
-            Assert.That(texts[at..], Has.Length.EqualTo(2), "what the words below mean");
-            Assert.That(texts[^1], Does.EndWith("twist 10–50°, lag 10–40°, stretch < 6 %."));
+            Assert.That(texts[at..], Has.Length.EqualTo(3), "what the words below mean");
+            Assert.That(texts[^2], Does.EndWith("twist 10–50°, lag 10–40°, stretch < 6 %."));
+            Assert.That(texts[^1], Does.StartWith("Blue lines"));
         }
 
         [TestCase("monarch", "Monarch: wing", "wing")]

@@ -40,6 +40,21 @@ internal static class FlightPhoto
             PhotoSurface.Thin(index, wing.Rest, wing.Triangles, values, colourOf, hasPattern);
     }
 
+    /// <summary>A scene with lines around the wings of another flight of the same insect, before all else.</summary>
+    /// <param name="scene">What is outlined is beside it.</param>
+    /// <param name="other">The other flight.</param>
+    /// <param name="light">Linear light of the lines.</param>
+    public static PhotoScene WithOutlines(PhotoScene scene, FlightRecord other, float3 light)
+    {
+        return scene.With(other.Wings.Select(Outline), Reach(other));
+
+        PhotoPart Outline(RecordedWing wing, int k)
+        {
+            PhotoPart part = Part(wing, PhotoSurface.Outline(1 + other.Wings.Count + k, wing.Rest, wing.Triangles, light));
+            return part with { Rest = null };
+        }
+    }
+
     private static PhotoPart Part(RecordedWing wing, PhotoSurface surface) =>
         new(surface, wing.Placement.Length, wing.At, Array.ConvertAll(wing.Rest, wing.Placement.ToBody));
 }

@@ -5,6 +5,9 @@ internal static class ComparisonPicture
 {
     private const float k_Edge = 26f, k_Left = 62f, k_Header = 100f, k_Panel = 236f, k_Line = 19f, k_LetterWidth = 5.9f;
 
+    /// <summary>Of the lines around the full model's wings.</summary>
+    private static readonly float3 s_Outline = Shading.ToLinear(Shading.Colour(0x1666b0));
+
     private static readonly (string Title, Func<WingSummary, double> Of, MeasureBound Bound)[] s_Numbers =
     [
         ("twist", wing => wing.TwistPpDeg, MeasureBound.Find("twist_pp_deg")),
@@ -19,7 +22,8 @@ internal static class ComparisonPicture
     internal static PixelPage Compose(Comparison comparison)
     {
         var page = new PixelPage();
-        var scenes = comparison.Flights.Select(flight => FlightPhoto.Scene(flight.Summary.Flight)).ToList();
+        FlightRecord full = comparison.Flights.Single(flight => flight.Column == ComparisonColumn.FullModel).Summary.Flight;
+        var scenes = comparison.Flights.Select(flight => Scene(flight.Summary.Flight, full)).ToList();
         var grid = new PoseGrid(scenes, comparison.Phases, k_Left, k_Header, k_Panel);
         float width = grid.Right + k_Edge;
         page.Text(k_Edge, 38f, 22f, comparison.Name, look: "b");
@@ -40,8 +44,15 @@ internal static class ComparisonPicture
             look: "t");
         page.Text(k_Edge, bottom + 27f, 11f, "off full: mean distance of the surface from the full model's at equal phase, % of the wing's "
             + "length. † outside what is expected here: " + Expected(comparison.Plan.Variant), look: "t");
+        page.Text(k_Edge, bottom + 42f, 11f, "Blue lines: the full model's wings at the same phase.", look: "t");
         return page.End(
-            width, bottom + 42f, $"{comparison.Name}: {string.Join(", ", comparison.Flights.Select(flight => flight.Column.Title))}");
+            width, bottom + 57f, $"{comparison.Name}: {string.Join(", ", comparison.Flights.Select(flight => flight.Column.Title))}");
+    }
+
+    private static PhotoScene Scene(FlightRecord flight, FlightRecord full)
+    {
+        PhotoScene scene = FlightPhoto.Scene(flight);
+        return flight == full ? scene : FlightPhoto.WithOutlines(scene, full, s_Outline);
     }
 
     private static string Expected(InsectVariant variant) =>
