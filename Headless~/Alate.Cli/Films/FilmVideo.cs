@@ -9,7 +9,7 @@ internal static class FilmVideo
 {
     private const string k_Program = "ffmpeg";
 
-    /// <summary>[ending] Codecs of picture and sound: those that browsers and editors play everywhere.</summary>
+    /// <summary>[ending] Codecs of picture and sound: H.264 for editors and players, VP9 for pages.</summary>
     private static readonly Dictionary<string, (string[] Picture, string[] Sound)> s_Formats = new()
     {
         [".mp4"] = (["-c:v", "libx264", "-crf", "18", "-movflags", "+faststart"], ["-c:a", "aac", "-b:a", "160k"]),

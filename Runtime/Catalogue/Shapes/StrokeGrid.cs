@@ -3,7 +3,10 @@ using System.Collections.Generic;
 
 namespace Alate.Catalogue
 {
-    /// <summary>Square cells over strokes; each lists the strokes that may be nearest to a place in it, in their order.</summary>
+    /// <summary>
+    /// Square cells over strokes; each lists the strokes that may be nearest to a place in it, in their order. Threads may share it: all
+    /// find the same of a cell, and one that sees the strokes before their clearance looks at strokes that are too far.
+    /// </summary>
     internal sealed class StrokeGrid
     {
         /// <summary>Cells along the longer side.</summary>
