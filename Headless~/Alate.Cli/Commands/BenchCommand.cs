@@ -8,7 +8,7 @@ namespace Alate.Cli;
 internal static class BenchCommand
 {
     /// <summary>Variable of .NET that has each method compiled once and for all; the tool's own setting gives way to it.</summary>
-    private const string k_Tiers = "DOTNET_TieredCompilation";
+    private const string k_Tiers = "DOTNET_TieredCompilation", k_None = "0";
 
     public static Command Create(TextWriter output)
     {
@@ -29,9 +29,12 @@ internal static class BenchCommand
         {
             if (parsed.GetValue(hash))
                 return SceneHashes.Run(output);
-            return Environment.GetEnvironmentVariable(k_Tiers) == null
-                ? RunWithoutTiers([.. parsed.Tokens.Select(token => token.Value)])
-                : Run(parsed.GetValue(json), stream => BenchmarkSuite.Run(stream, output));
+            string file = parsed.GetValue(json);
+            if (Environment.GetEnvironmentVariable(k_Tiers) == k_None)
+                return Run(file, stream => BenchmarkSuite.Run(stream, output));
+            if (file != null)
+                OutputFile.Check(file);
+            return RunWithoutTiers([.. parsed.Tokens.Select(token => token.Value)]);
         });
         return command;
     }
@@ -42,7 +45,7 @@ internal static class BenchCommand
         string program = Environment.ProcessPath;
         bool isHost = Path.GetFileNameWithoutExtension(program) == "dotnet";
         var start = new ProcessStartInfo(program, isHost ? [typeof(BenchCommand).Assembly.Location, .. words] : words);
-        start.Environment[k_Tiers] = "0";
+        start.Environment[k_Tiers] = k_None;
         using var process = Process.Start(start);
         process.WaitForExit();
         return process.ExitCode;

@@ -153,9 +153,9 @@ internal static class FiguresCommand
         try
         {
             string home = Path.Combine(folder, "mymoth");
-            string Picture(string wing) => Path.Combine(path, "images", $"moth-{wing}.png");
-            InsectNewCommand.Create(TextWriter.Null).Parse([home, "--wing", Picture("fore"), Picture("hind"), "--length", "50mm", "38mm",
-                "--mass", "1.6g", "--frequency", "25Hz"]).Invoke(new InvocationConfiguration { EnableDefaultExceptionHandler = false });
+            string[] pictures = [Path.Combine(path, "images", "moth-fore.png"), Path.Combine(path, "images", "moth-hind.png")];
+            var insect = new NewInsect("mymoth", InsectCatalogue.Find(InsectNewCommand.LikeOfTwo), 1600, 25);
+            InsectNewCommand.Make(insect, pictures, [50, 38], isGiven: true, home, TextWriter.Null);
             return KnownSpecies.Find(Path.Combine(home, "mymoth" + InsectFile.Ending));
         }
         finally

@@ -6,8 +6,11 @@ namespace Alate.Cli;
 /// <summary><c>insect new DIR</c>: makes an insect file with meshes, skeletons and textures from pictures of its wings.</summary>
 internal static class InsectNewCommand
 {
-    /// <summary>Insects of the catalogue for one picture and for two.</summary>
-    private const string k_One = "monarch", k_Two = "swallowtail";
+    /// <summary>Insect of the catalogue that one picture is like where nobody says, and that two are like.</summary>
+    private const string k_One = "monarch";
+
+    /// <inheritdoc cref="k_One"/>
+    internal const string LikeOfTwo = "swallowtail";
 
     private const double k_Turn = 2 * Math.PI;
 
@@ -51,7 +54,7 @@ internal static class InsectNewCommand
         {
             HelpName = "NAME",
             Description = $"Insect of the catalogue that has body and motion: {string.Join(", ", InsectCatalogue.Names)}. "
-                + $"[default: {k_One}, of two pictures {k_Two}]",
+                + $"[default: {k_One}, of two pictures {LikeOfTwo}]",
         };
         var name = new Option<string>("--name") { HelpName = "NAME", Description = "Name of the insect. [default: that of DIR]" };
         var command = new Command("new", "Makes an insect file, with meshes, skeletons and textures, from pictures of its wings.")
@@ -69,7 +72,7 @@ internal static class InsectNewCommand
                 throw new UserException("How long is the wing? --length, from hinge to tip with its unit, such as 50mm.");
             if (far.Length > files.Length)
                 throw new UserException($"--length takes one length for each wing: {files.Length}, not {far.Length}.");
-            InsectDefinition known = KnownSpecies.FindInCatalogue(parsed.GetValue(like) ?? (files.Length == 1 ? k_One : k_Two));
+            InsectDefinition known = KnownSpecies.FindInCatalogue(parsed.GetValue(like) ?? (files.Length == 1 ? k_One : LikeOfTwo));
             if (known.Wings.Count < files.Length)
             {
                 throw new UserException($"The {known.Name} has one kind of wing, so that two pictures need another --like: "
@@ -91,7 +94,14 @@ internal static class InsectNewCommand
         return command;
     }
 
-    private static void Make(NewInsect insect, string[] files, List<decimal> lengths, bool isGiven, string path, TextWriter output)
+    /// <summary>Makes the files of an insect.</summary>
+    /// <param name="insect">All but its wings.</param>
+    /// <param name="files">Pictures of them, from front to back.</param>
+    /// <param name="lengths">Lengths of them, millimetres.</param>
+    /// <param name="isGiven">True where the last length is from hinge to tip, false where it is across the body.</param>
+    /// <param name="path">The folder.</param>
+    /// <param name="output">Told what was found.</param>
+    internal static void Make(NewInsect insect, string[] files, List<decimal> lengths, bool isGiven, string path, TextWriter output)
     {
         List<(TracedWing Wing, decimal Length)> wings =
             [.. files.Zip(lengths, (file, length) => (TracedWing.Of(file, WingTracingSettings.Default), length))];

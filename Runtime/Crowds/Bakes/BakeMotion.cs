@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using Alate.Flight;
 using Alate.Geometry;
 using Unity.Mathematics;
 
@@ -21,7 +22,7 @@ namespace Alate.Crowds
             new BakeMotion("glide") { Speed = 0.65f, Steering = Beat(0f, 8f) },
             new BakeMotion("rest") { Steering = Beat(0f, 0f) },
             new BakeMotion("folded") { Steering = Folded(1f) },
-            new BakeMotion("bask") { Steering = Folded(0.3f) },
+            new BakeMotion("bask") { Steering = Folded(1f - PerchSettings.Default.bask) },
         };
 
         /// <summary>A level motion without speed, with the preset's beat.</summary>
