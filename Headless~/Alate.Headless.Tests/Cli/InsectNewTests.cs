@@ -46,7 +46,14 @@ namespace Alate.Tests.Cli
             JsonNode file = ReadFile();
             Assert.That(((double)file["massMilligrams"], (double)file["beat"]["frequencyHertz"]), Is.EqualTo((1600.0, 25.0)));
             Assert.That((double)Wing(file, 0)["lengthMillimetres"], Is.EqualTo(50));
-            AssertPointsBack((double)Wing(file, 1)["lengthMillimetres"], 38);
+            AssertPointsBack();
+            var traced = TracedWing.Of(m_Hind, Alate.Authoring.WingTracingSettings.Default);
+            float toTip = WingFiles.FrameOf(traced.Trace.Skeleton, traced.Trace.Surface, m_Hind).length;
+            traced.Trace.Skeleton.SpanAxis =
+                Alate.Authoring.SkeletonJson.Read(File.ReadAllText(Path.Combine(m_Run.Out, "hind.json"))).SpanAxis;
+            float across = WingFiles.FrameOf(traced.Trace.Skeleton, traced.Trace.Surface, m_Hind).length;
+            Assert.That(across, Is.LessThan(0.95f * toTip));
+            Assert.That((double)Wing(file, 1)["lengthMillimetres"], Is.EqualTo(38 * across / toTip).Within(0.011));
             string flight = Path.Combine(m_Run.Folder, "flight");
             Assert.That(m_Run.Run("fly", FilePath, "--pitch", "20", "--no-pictures", "--out", flight), Is.Zero, m_Run.Errors);
             var summary = JsonNode.Parse(File.ReadAllText(Path.Combine(flight, "summary.json")));
@@ -60,19 +67,14 @@ namespace Alate.Tests.Cli
             Assert.That(glb.Root.GetProperty("images").GetArrayLength(), Is.GreaterThanOrEqualTo(2));
         }
 
-        // As a swallowtail's: the middle of its area lies behind the hinge, and less of its length across the body.
-        private void AssertPointsBack(double across, double length)
+        // As a swallowtail's: the middle of its area lies behind the hinge.
+        private void AssertPointsBack()
         {
             InsectDefinition[] insects = [KnownSpecies.Find(FilePath), InsectCatalogue.Find("swallowtail")];
             WingDefinition[] wings = [.. insects.Select(insect => insect.Wings[1])];
             double[] angles = [.. wings.Select(Angle)];
             Assert.That(angles[0], Is.EqualTo(angles[1]).Within(0.1));
             Assert.That(angles[0], Is.InRange(-70, -30), "degrees; a traced wing lies straight across");
-            SurfaceMesh shape = wings[0].CreateSurface(WingSide.Right);
-            // The way to the middle of what lies far out is that from hinge to tip in the picture.
-            double toTip = shape.positions.Max(place => (double)place.x * Math.Cos(angles[0] * Math.PI / 180)
-                + (double)place.z * Math.Sin(angles[0] * Math.PI / 180)), most = shape.positions.Max(place => (double)place.x);
-            Assert.That(across * toTip / most, Is.EqualTo(length).Within(2).Percent);
         }
 
         // Of the middle of the area before the axis across the body, from the hinge.
@@ -91,6 +93,25 @@ namespace Alate.Tests.Cli
             }
 
             return Math.Atan2(z, x) * 180 / Math.PI;
+        }
+
+        // Its leading edge is up in the picture, whichever way the tip points, so that a wing of the left is drawn as in a mirror.
+        [TestCase(false)]
+        [TestCase(true)]
+        public void AWingOfEitherSide_TurnsBackwards_ByTheSameAngle(bool mirrored)
+        {
+            File.WriteAllBytes(m_Fore, PngOf.Picture(DrawnWing.Scalloped().In(200, 0f, mirrored).Draw(DrawnKind.Silhouette)));
+            var wing = TracedWing.Of(m_Fore, Alate.Authoring.WingTracingSettings.Default);
+            WingDefinition like = InsectCatalogue.Find("fishfly").Wings[1];
+            WingFrame before = WingFiles.FrameOf(wing.Trace.Skeleton, wing.Trace.Surface, m_Fore);
+            double was = WingTurn.Direction(wing.Trace.Surface, before);
+            WingTurn.TurnLike(wing, like, m_Fore);
+            WingFrame after = WingFiles.FrameOf(wing.Trace.Skeleton, wing.Trace.Surface, m_Fore);
+
+            double now = WingTurn.Direction(wing.Trace.Surface, after);
+            Assert.That(now * 180 / Math.PI, Is.EqualTo(Angle(like)).Within(0.1));
+            Assert.That(was * 180 / Math.PI, Is.InRange(-15, 15), "it lay across");
+            Assert.That(after.mirrored, Is.EqualTo(before.mirrored));
         }
 
         [Test]

@@ -18,8 +18,7 @@ namespace Alate.Tests.Cli
         public void SweepAFishfly()
         {
             m_Run = new CommandRun();
-            int code = m_Run.Run(
-                "sweep", "chord-delay", "0", "0.2", "--steps", "3", "--wave", "both", "--substeps", "24", "--out", m_Run.Out);
+            int code = m_Run.Run("sweep", "chord-delay", "0", "0.2", "--steps", "3", "--wave", "both", "--out", m_Run.Out);
             Assert.That(code, Is.Zero, m_Run.Errors);
             m_Rows = File.ReadAllLines(Path.Combine(m_Run.Out, "sweep.csv")).Select(line => line.Split(',')).ToArray();
         }
@@ -105,8 +104,8 @@ namespace Alate.Tests.Cli
         {
             Assert.That(
                 m_Run.Output, Does.Contain("twist °").And.Contain("off │ hind wing").And.Contain("sweep.svg").And.Contain("sweep.png"));
-            Assert.That(m_Run.Output,
-                Does.Contain("usual").And.Contain("10–50 *").And.Match(@" [0-4]\.\d †").And.Contain("no published range is known"),
+            Assert.That(
+                m_Run.Output, Does.Contain("usual").And.Contain("10–50 *").And.Contain("1.0 †").And.Contain("no published range is known"),
                 "a wing without a wave hardly lags");
         }
 

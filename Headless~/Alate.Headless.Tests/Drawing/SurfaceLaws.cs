@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using System.Linq;
 using Alate.Drawing;
@@ -33,6 +34,32 @@ public sealed class SurfaceLaws
 
         Assert.That(Sum(1, 1), Is.EqualTo(Sum(1)));
         Assert.That(Sum(1, 2), Is.LessThan(Sum(1) - 4000));
+    }
+
+    // Ten times as far away as what covers it, a line of 1.6 pixels around it is seen all the same, in its own light.
+    [Test]
+    public void AnOutline_LiesBeforeAllElse_InItsOwnLight_AndFillsNothing()
+    {
+        float3[] far = [new(12f, 13.5f, 9f), new(48f, 13.5f, 9f), new(30f, 48f, 9f)],
+            near = [new(0f, 0f, 1f), new(140f, 0f, 1f), new(0f, 140f, 1f)], normals = [.. far.Select(_ => new float3(0f, 1f, 0f))];
+        var shading = new Shading(new PictureCamera(PictureView.FrontLeft, 5f));
+        Color32[] Painted(float3 light)
+        {
+            var grid = new SampleGrid(20, 20);
+            PhotoSurface.Thin(1, near, [0, 1, 2], [.. near.Select(_ => new float4(0f, 0f, 0f, 1f))], (value, _) => value, hasEdge: false)
+                .Draw(grid, near, normals, shading, 0.1f);
+            PhotoSurface.Outline(2, far, [0, 1, 2], light).Draw(grid, far, normals, shading, 0.1f);
+            return grid.Pixels(s_Paper);
+        }
+
+        Color32[] blue = Painted(new float3(0f, 0f, 1f)), dim = Painted(new float3(0f, 0f, 0.25f));
+        int side = 4 * 20 + 10, middle = 8 * 20 + 10;
+        Assert.That((blue[side].r, (int)blue[side].b), Is.EqualTo(((byte)0, 255)).Within(40), "the side at the top");
+        Assert.That(blue[middle].b, Is.EqualTo(dim[middle].b), "the middle is what lies behind");
+        Assert.That(dim[side].b / 255.0, Is.EqualTo(Math.Pow(0.25, 1 / 2.2)).Within(0.15), "as light as it is told");
+        Color32[] none = Painted(default);
+        double covered = blue.Zip(none, (lit, dark) => (lit.b - dark.b) / (255.0 - dark.b)).Where(share => share > 0).Sum();
+        Assert.That(covered, Is.EqualTo(1.6 * (36 + 2 * 38.9) / 3).Within(10).Percent, "1.6 pixels wide");
     }
 
     [TestCase("front", 0f, 8f)]

@@ -12,17 +12,18 @@ namespace Alate.Tests.FreeFlights
     /// <summary>Small tables, baked in a second or two.</summary>
     public sealed class TrimBakeTests
     {
-        [Test]
-        public void AMonarchsTable_HoldsTrimsThatBalance_AndThatItFliesBy()
+        [TestCase(0f)]
+        [TestCase(0f, 0.15f, Explicit = true, Category = "Long")]
+        public void AMonarchsTable_HoldsTrimsThatBalance_AndThatItFliesBy(params float[] climbs)
         {
             using var insect = new FlyingInsect("monarch");
             var lines = new List<string>();
             var bake = new TrimBake(insect.Model) { Log = lines.Add };
-            using TrimTable table = bake.Bake([1f, 0.65f], [0f]);
+            using TrimTable table = bake.Bake([1f, 0.65f], [.. climbs.Reverse()]);
 
             Assert.That(bake.Problem, Is.Null);
             Assert.That((table.Speeds[0], table.Speeds[^1]), Is.EqualTo((0.65f, 1f)));
-            Assert.That(table.ClimbRates, Is.EqualTo(new[] { 0f }));
+            Assert.That(table.ClimbRates, Is.EqualTo(climbs));
             Check(insect, table, lines, TrimSolver.Closed);
         }
 

@@ -212,7 +212,7 @@ namespace Alate.Tests.Crowds
                     float flap = math.lerp(share > 0f ? middle : math.degrees(math.asin(shown.y)), rest.flap, share);
                     float3 swept = math.rotate(quaternion.RotateY(math.radians(-share * rest.sweep)), made);
                     float3 raised = math.rotate(quaternion.RotateZ(math.radians(flap)), swept);
-                    Assert.That(math.degrees(math.acos(math.dot(shown, raised))), Is.LessThan(8f), $"clip {clip}");
+                    Assert.That(math.degrees(math.acos(math.dot(shown, raised))), Is.LessThan(1f), $"clip {clip}");
                 }
 
                 return shown;

@@ -15,15 +15,13 @@ namespace Alate.Editor.Tests
         public void Dispose() => m_Preview.Dispose();
 
         [Test]
-        public void Picture_ShowsTheWantedPhase()
+        public void Picture_ShowsTheWantedPhase([Values(0f, 0.13f, 0.5f, 0.99f)] float phase)
         {
             Bake();
-            foreach (float phase in new[] { 0f, 0.13f, 0.5f, 0.99f })
-            {
-                m_Preview.Show(phase);
-                float off = Mathf.Repeat(m_Preview.Phase - phase + 0.5f, 1f) - 0.5f;
-                Assert.That(off, Is.EqualTo(0f).Within(2e-3f), $"{phase}");
-            }
+            m_Preview.Show(phase);
+
+            float off = Mathf.Repeat(m_Preview.Phase - phase + 0.5f, 1f) - 0.5f;
+            Assert.That(off, Is.EqualTo(0f).Within(2e-3f));
         }
 
         [Test]
