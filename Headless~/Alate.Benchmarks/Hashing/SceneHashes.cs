@@ -22,10 +22,10 @@ public static class SceneHashes
     /// </summary>
     private static readonly (string Name, ulong Held, Func<HashVariant, ulong> Run)[] s_Scenes =
     [
-        ("tethered", 0x98c96ff603c03427, TetheredScene.Run),
-        ("free", 0x9ef654a77e1c425e, variant => FleetScene.Run(s_Flyers, false, k_FreeFrames, false, variant)),
-        ("wander", 0x8e78a2381bd40255, variant => FleetScene.Run(s_Flyers, true, k_WanderFrames, false, variant)),
-        ("crowd", 0x41a5d91137bc206f, variant => FleetScene.Run(Crowd(), true, k_CrowdFrames, true, variant)),
+        ("tethered", 0xef3588fd994fe653, TetheredScene.Run),
+        ("free", 0x38cce708c1f0f1bf, variant => FleetScene.Run(s_Flyers, false, k_FreeFrames, false, variant)),
+        ("wander", 0xe0c6dea4efc9a94e, variant => FleetScene.Run(s_Flyers, true, k_WanderFrames, false, variant)),
+        ("crowd", 0xb1f641b7ee938c68, variant => FleetScene.Run(Crowd(), true, k_CrowdFrames, true, variant)),
     ];
 
     /// <summary>Names of the scenes.</summary>

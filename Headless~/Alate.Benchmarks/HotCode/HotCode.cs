@@ -17,7 +17,7 @@ internal static class HotCode
     [
         typeof(DelayedWaves), typeof(DrivenPose), typeof(Aerodynamics), typeof(PatchAir), typeof(Coefficients), typeof(CellMotion),
         typeof(CellSheet), typeof(BilinearField), typeof(JointLoads), typeof(CarriedSurface), typeof(Bending), typeof(ChainCoupling),
-        typeof(ElasticStep), typeof(NewtonSolver),
+        typeof(ElasticStep), typeof(ChordSolver), typeof(NewtonSolver),
         typeof(SpringEnergy), typeof(BlockCholesky), typeof(JointFrames), typeof(CellBlend), typeof(DualQuaternionSkinning),
         typeof(SkinPalette),
     ];

@@ -141,13 +141,20 @@ internal static class FiguresCommand
         stage("filming");
         var film = Film.Fly(HeroFilm);
         folder.Write(k_Film, stream => stream.Write(film.Animation(film.Draw(_ => { }))));
-        film = Film.Fly(OwnFilm(MakeOwn(path)));
-        folder.Write(k_OwnFilm, stream => stream.Write(film.Animation(film.Draw(_ => { }))));
+        folder.Write(k_OwnFilm, stream => stream.Write(UseOwn(path, FilmOwn)));
     }
 
-    /// <summary>Makes the front page's own insect of its pictures.</summary>
+    /// <summary>Makes the film of the front page's own insect.</summary>
+    internal static byte[] FilmOwn(InsectDefinition insect)
+    {
+        var film = Film.Fly(OwnFilm(insect));
+        return film.Animation(film.Draw(_ => { }));
+    }
+
+    /// <summary>Makes the front page's own insect of its pictures; its files exist while it is used.</summary>
     /// <param name="path">The folder of the documentation.</param>
-    internal static InsectDefinition MakeOwn(string path)
+    /// <param name="use">Gets the insect.</param>
+    internal static T UseOwn<T>(string path, System.Func<InsectDefinition, T> use)
     {
         string folder = Directory.CreateTempSubdirectory("alate-").FullName;
         try
@@ -155,8 +162,14 @@ internal static class FiguresCommand
             string home = Path.Combine(folder, "mymoth");
             string[] pictures = [Path.Combine(path, "images", "moth-fore.png"), Path.Combine(path, "images", "moth-hind.png")];
             var insect = new NewInsect("mymoth", InsectCatalogue.Find(InsectNewCommand.LikeOfTwo), 1600, 25);
-            InsectNewCommand.Make(insect, pictures, [50, 38], isGiven: true, home, TextWriter.Null);
-            return KnownSpecies.Find(Path.Combine(home, "mymoth" + InsectFile.Ending));
+            using (var made = OutputFolder.Prepare(home))
+            {
+                // Not at the end of the command, as other files: they are read here.
+                InsectNewCommand.WithWings(insect, pictures, [50, 38], isGiven: true).Write(made);
+                made.Rename();
+            }
+
+            return use(KnownSpecies.Find(Path.Combine(home, "mymoth" + InsectFile.Ending)));
         }
         finally
         {

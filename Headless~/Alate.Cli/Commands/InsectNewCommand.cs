@@ -94,27 +94,9 @@ internal static class InsectNewCommand
         return command;
     }
 
-    /// <summary>Makes the files of an insect.</summary>
-    /// <param name="insect">All but its wings.</param>
-    /// <param name="files">Pictures of them, from front to back.</param>
-    /// <param name="lengths">Lengths of them, millimetres.</param>
-    /// <param name="isGiven">True where the last length is from hinge to tip, false where it is across the body.</param>
-    /// <param name="path">The folder.</param>
-    /// <param name="output">Told what was found.</param>
-    internal static void Make(NewInsect insect, string[] files, List<decimal> lengths, bool isGiven, string path, TextWriter output)
+    private static void Make(NewInsect insect, string[] files, List<decimal> lengths, bool isGiven, string path, TextWriter output)
     {
-        List<(TracedWing Wing, decimal Length)> wings =
-            [.. files.Zip(lengths, (file, length) => (TracedWing.Of(file, WingTracingSettings.Default), length))];
-        if (files.Length > 1)
-        {
-            double across = WingTurn.TurnLike(wings[1].Wing, insect.Like.Wings[1], files[1]);
-            // A length that nobody gave is across the body already.
-            if (isGiven)
-                wings[1] = (wings[1].Wing, (decimal)Math.Round((double)wings[1].Length * across, 2));
-        }
-
-        insect = insect with { Wings = wings };
-        insect.Check();
+        insect = WithWings(insect, files, lengths, isGiven);
         using var folder = OutputFolder.Prepare(path, [insect.File, .. insect.FilesOfWings.SelectMany(wing => wing.All)]);
         insect.Write(folder);
         folder.Commit();
@@ -128,6 +110,29 @@ internal static class InsectNewCommand
         string file = Path.Combine(path, insect.File);
         output.WriteLine($"Wrote {insect.File} and its wings into {path}; the .svg files show what was found in the pictures.");
         output.WriteLine($"  fly {file}\n  species {file} --check");
+    }
+
+    /// <summary>Gives an insect wings that are traced in pictures.</summary>
+    /// <param name="insect">All but its wings.</param>
+    /// <param name="files">Pictures of them, from front to back.</param>
+    /// <param name="lengths">Lengths of them, millimetres.</param>
+    /// <param name="isGiven">True where the last length is from hinge to tip, false where it is across the body.</param>
+    /// <exception cref="UserException">A picture shows no wing, or the numbers make no insect.</exception>
+    internal static NewInsect WithWings(NewInsect insect, string[] files, List<decimal> lengths, bool isGiven)
+    {
+        List<(TracedWing Wing, decimal Length)> wings =
+            [.. files.Zip(lengths, (file, length) => (TracedWing.Of(file, WingTracingSettings.Default), length))];
+        if (files.Length > 1)
+        {
+            double across = WingTurn.TurnLike(wings[1].Wing, insect.Like.Wings[1], files[1]);
+            // A length that nobody gave is across the body already.
+            if (isGiven)
+                wings[1] = (wings[1].Wing, (decimal)Math.Round((double)wings[1].Length * across, 2));
+        }
+
+        insect = insect with { Wings = wings };
+        insect.Check();
+        return insect;
     }
 
     private static string NameOf(string given, string path)

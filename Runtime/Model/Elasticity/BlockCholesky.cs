@@ -1,5 +1,4 @@
 using System.Runtime.CompilerServices;
-using Unity.Collections.LowLevel.Unsafe;
 using Unity.Mathematics;
 
 namespace Alate
@@ -14,19 +13,18 @@ namespace Alate
         /// <returns>Wings whose Hessian is not positive definite: their steps are not to be used.</returns>
         public static bool4 Factorise(in WingPack pack, in StepScratch scratch)
         {
-            Gather(pack, scratch);
             bool4 definite = true;
-            int free = pack.rig.jointsPerChain - 1, band = pack.rig.jointsPerChain, count = pack.rig.chainCount * free;
-            for (int k = 0; k < count; k++)
+            int free = pack.rig.jointsPerChain - 1, band = free + 1, count = pack.rig.chainCount * free;
+            for (int k = 0, left = free; k < count; k++, left = left > 1 ? left - 1 : free)
             {
-                SymmetricBlock* diagonal = scratch.blocks + Joint(k, free);
+                SymmetricBlock* diagonal = scratch.blocks + k;
                 SoaFloat3x3* column = scratch.band + k * band - 1, lower = scratch.lower + k * band - 1;
-                int reach = math.min(band, count - 1 - k);
+                int reach = Reach(count - 1 - k, band, left);
                 definite &= SymmetricBlock.InvertDefinite(diagonal);
                 Scale(lower, column, diagonal, reach);
                 EliminateBelow(scratch.band + k * band, lower, column, reach, band);
                 for (int r = 1; r <= reach; r++)
-                    SubtractSymmetric(scratch.blocks + Joint(k + r, free), lower + r, column + r);
+                    SubtractSymmetric(diagonal + r, lower + r, column + r);
             }
 
             return !definite;
@@ -35,44 +33,31 @@ namespace Alate
         /// <summary>step = −H⁻¹ · gradient by the factors, roots zero.</summary>
         public static void Solve(in WingPack pack, in StepScratch scratch)
         {
-            int joints = pack.rig.jointsPerChain;
-            for (int joint = 0; joint < pack.rig.jointCount; joint++)
-                scratch.step[joint] = joint % joints == 0 ? default : -scratch.gradient[joint];
+            int joints = pack.rig.jointsPerChain, free = joints - 1;
+            for (int i = 0; i < pack.rig.chainCount; i++)
+            {
+                SoaFloat3* step = scratch.step + i * free, gradient = scratch.gradient + i * joints + 1;
+                for (int j = 0; j < free; j++)
+                    step[j] = -gradient[j];
+            }
+
             Forward(pack, scratch);
             Backward(pack, scratch);
-        }
 
-        // The joint of row k.
-        [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        private static int Joint(int k, int free) => k + (int)((uint)k / (uint)free) + 1;
-
-        // Off-diagonal blocks of H from the springs: −(axial d dᵀ + transversal I).
-        private static void Gather(in WingPack pack, in StepScratch scratch)
-        {
-            int joints = pack.rig.jointsPerChain, blocks = pack.rig.BandBlocks;
-            UnsafeUtility.MemClear(scratch.band, (long)blocks * sizeof(SoaFloat3x3));
-            for (int s = 0; s < pack.rig.springCount; s++)
+            // From the rows of the free joints to all joints, from the last to the first, in place.
+            for (int i = pack.rig.chainCount - 1; i >= 0; i--)
             {
-                Spring spring = pack.rig.springs[s];
-                int a = math.min(spring.a, spring.b), b = math.max(spring.a, spring.b);
-                int i = a / joints, k = b / joints;
-                if (a == i * joints || b == k * joints)
-                    continue;
-                SetSpring(scratch.band + (a - i - 1) * joints + b - k - (a - i) - 1, scratch.springs + s);
+                SoaFloat3* step = scratch.step + i * free, all = scratch.step + i * joints;
+                for (int j = free - 1; j >= 0; j--)
+                    all[j + 1] = step[j];
+                all[0] = default;
             }
         }
 
+        // Rows below row k within its column: the last joint of a chain, the only one that is left of it, has no spring to the first of
+        // the chain after the next.
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        private static void SetSpring(SoaFloat3x3* block, SpringLinearisation* spring)
-        {
-            SoaFloat3 axis = spring->axis, pull = axis * -spring->axial;
-            block->c0 = pull * axis.x;
-            block->c1 = pull * axis.y;
-            block->c2 = pull * axis.z;
-            block->c0.x -= spring->transversal;
-            block->c1.y -= spring->transversal;
-            block->c2.z -= spring->transversal;
-        }
+        private static int Reach(int below, int band, int left) => math.min(left == 1 ? band - 1 : band, below);
 
         // A column of L: the blocks below the diagonal times the inverse of D.
         private static void Scale(SoaFloat3x3* lower, SoaFloat3x3* column, SymmetricBlock* d, int reach)
@@ -117,28 +102,29 @@ namespace Alate
         private static void Forward(in WingPack pack, in StepScratch scratch)
         {
             int free = pack.rig.jointsPerChain - 1, band = free + 1, count = pack.rig.chainCount * free;
-            for (int k = 0; k < count; k++)
+            for (int k = 0, left = free; k < count; k++, left = left > 1 ? left - 1 : free)
             {
                 SoaFloat3x3* lower = scratch.lower + k * band - 1;
-                SoaFloat3 known = scratch.step[Joint(k, free)];
-                int reach = math.min(band, count - 1 - k);
+                SoaFloat3* step = scratch.step + k;
+                SoaFloat3 known = *step;
+                int reach = Reach(count - 1 - k, band, left);
                 for (int r = 1; r <= reach; r++)
-                    scratch.step[Joint(k + r, free)] -= lower[r].c0 * known.x + lower[r].c1 * known.y + lower[r].c2 * known.z;
+                    step[r] -= lower[r].c0 * known.x + lower[r].c1 * known.y + lower[r].c2 * known.z;
             }
         }
 
         private static void Backward(in WingPack pack, in StepScratch scratch)
         {
             int free = pack.rig.jointsPerChain - 1, band = free + 1, count = pack.rig.chainCount * free;
-            for (int k = count - 1; k >= 0; k--)
+            for (int k = count - 1, left = 1; k >= 0; k--, left = left < free ? left + 1 : 1)
             {
                 SoaFloat3x3* lower = scratch.lower + k * band - 1;
-                SoaFloat3* step = scratch.step + Joint(k, free);
-                SoaFloat3 sum = SymmetricBlock.Mul(scratch.blocks + Joint(k, free), *step);
-                int reach = math.min(band, count - 1 - k);
+                SoaFloat3* step = scratch.step + k;
+                SoaFloat3 sum = SymmetricBlock.Mul(scratch.blocks + k, *step);
+                int reach = Reach(count - 1 - k, band, left);
                 for (int r = 1; r <= reach; r++)
                 {
-                    SoaFloat3 known = scratch.step[Joint(k + r, free)];
+                    SoaFloat3 known = step[r];
                     sum.x -= SoaFloat3.Dot(lower[r].c0, known);
                     sum.y -= SoaFloat3.Dot(lower[r].c1, known);
                     sum.z -= SoaFloat3.Dot(lower[r].c2, known);

@@ -9,12 +9,14 @@ namespace Alate
     internal static unsafe class ElasticStep
     {
         /// <summary>Solves for the joint positions; keeps the new deviation and its rate.</summary>
-        /// <returns>Newton iterations that each wing took.</returns>
+        /// <returns>Factorisations of the springs' Hessian that each wing took.</returns>
         public static float4 Step(in WingPack pack, in StepScratch scratch, in ImplicitStep step)
         {
             Turn(pack, scratch);
             Predict(pack, scratch, step);
-            float4 iterations = NewtonSolver.Minimise(pack, scratch, NewtonSolver.Limits.Default);
+            float4 iterations = pack.options.timeScheme == TimeScheme.BackwardEuler
+                ? NewtonSolver.Minimise(pack, scratch, NewtonSolver.Limits.Default)
+                : ChordSolver.Minimise(pack, scratch);
             Keep(pack, scratch, step);
             return iterations;
         }

@@ -4,8 +4,7 @@ namespace Alate
 {
     /// <summary>
     /// Newton's method for Eq. 14 on four wings at once: exact Hessian, exact steps, Armijo halving per wing. A wing whose Hessian is not
-    /// positive definite repeats the iteration with its Hessian kept convex, which the second-order step's first iteration begins with; one
-    /// that has converged stands still while the others go on.
+    /// positive definite repeats the iteration with its Hessian kept convex; one that has converged stands still while the others go on.
     /// </summary>
     internal static unsafe class NewtonSolver
     {
@@ -47,21 +46,21 @@ namespace Alate
 
         /// <summary>Minimises from scratch.positions, in place, the roots fixed.</summary>
         /// <returns>Iterations that each wing took.</returns>
-        public static float4 Minimise(in WingPack pack, in StepScratch scratch, in Limits limits)
-        {
-            bool4 active = true;
-            float4 iterations = default;
+        public static float4 Minimise(in WingPack pack, in StepScratch scratch, in Limits limits) =>
+            Minimise(pack, scratch, limits, true);
 
-            // Far extrapolated, every other start of the second-order step has an indefinite Hessian: kept convex at once it need not be
-            // factorised twice.
-            bool4 convex = pack.options.timeScheme == TimeScheme.SecondOrder;
-            float4 value = SpringEnergy.Linearise(pack, scratch, scratch.positions, convex);
+        /// <summary>Minimises from scratch.positions for the wings of <paramref name="active"/>; the others keep their positions.</summary>
+        /// <returns>Iterations that each wing took.</returns>
+        public static float4 Minimise(in WingPack pack, in StepScratch scratch, in Limits limits, bool4 active)
+        {
+            float4 iterations = default;
+            float4 value = SpringEnergy.Linearise(pack, scratch, scratch.positions, false);
             for (int k = 0; k < limits.newton + limits.rescue && math.any(active); k++)
             {
                 bool4 negative = BlockCholesky.Factorise(pack, scratch) & active;
                 if (math.any(negative))
                 {
-                    SpringEnergy.Linearise(pack, scratch, scratch.positions, negative | convex);
+                    SpringEnergy.Linearise(pack, scratch, scratch.positions, negative);
                     BlockCholesky.Factorise(pack, scratch);
                 }
 
@@ -76,7 +75,6 @@ namespace Alate
                 }
 
                 value = LineSearch(pack, scratch, value, active, moved);
-                convex = false;
                 active = k + 1 < limits.newton ? moved : moved & (move >= limits.far * limits.far);
             }
 
@@ -127,7 +125,8 @@ namespace Alate
             return slope;
         }
 
-        private static float4 LargestMove(in WingPack pack, in StepScratch scratch)
+        /// <summary>Square of the largest movement of a joint in scratch.step, wing lengths².</summary>
+        public static float4 LargestMove(in WingPack pack, in StepScratch scratch)
         {
             float4 largest = default;
             for (int joint = 0; joint < pack.rig.jointCount; joint++)

@@ -8,7 +8,6 @@ namespace Alate
         public int joints;
         public int bones;
         public int patches;
-        public int springs;
         public int strips;
         public int bandBlocks;
 
@@ -18,7 +17,6 @@ namespace Alate
             joints = rig.jointCount,
             bones = rig.boneCount,
             patches = rig.patchCount,
-            springs = rig.springCount,
             strips = rig.stripCount,
             bandBlocks = rig.BandBlocks,
         };
@@ -29,7 +27,6 @@ namespace Alate
             joints = math.max(a.joints, b.joints),
             bones = math.max(a.bones, b.bones),
             patches = math.max(a.patches, b.patches),
-            springs = math.max(a.springs, b.springs),
             strips = math.max(a.strips, b.strips),
             bandBlocks = math.max(a.bandBlocks, b.bandBlocks),
         };

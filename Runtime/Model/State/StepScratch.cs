@@ -4,7 +4,7 @@ namespace Alate
 {
     /// <summary>Working memory of one substep: one block per worker, allocated once, sized for the largest rig.</summary>
     /// <remarks>
-    /// 215,424 bytes a worker for a monarch, and none a wing: what lives within a substep alone does not grow with the number of wings.
+    /// 211,200 bytes a worker for a monarch, and none a wing: what lives within a substep alone does not grow with the number of wings.
     /// Each array is on cache lines of its own, in the order in which the substep fills them.
     /// </remarks>
     internal unsafe struct StepScratch
@@ -74,10 +74,12 @@ namespace Alate
         public float4* inertia;
         public SoaFloat3* positions;
         public SoaFloat3* candidate;
+
+        /// <summary>[joint] Part of the last chord step's movement beyond the step itself.</summary>
+        public SoaFloat3* mixing;
         public SoaFloat3* gradient;
         public SymmetricBlock* blocks;
         public SoaFloat3* step;
-        public SpringLinearisation* springs;
         public SoaFloat3x3* band;
         public SoaFloat3x3* lower;
 
@@ -141,10 +143,10 @@ namespace Alate
             scratch.inertia = (float4*)carver.Carve<float4>(joints);
             scratch.positions = (SoaFloat3*)carver.Carve<SoaFloat3>(joints);
             scratch.candidate = (SoaFloat3*)carver.Carve<SoaFloat3>(joints);
+            scratch.mixing = (SoaFloat3*)carver.Carve<SoaFloat3>(joints);
             scratch.gradient = (SoaFloat3*)carver.Carve<SoaFloat3>(joints);
             scratch.blocks = (SymmetricBlock*)carver.Carve<SymmetricBlock>(joints);
             scratch.step = (SoaFloat3*)carver.Carve<SoaFloat3>(joints);
-            scratch.springs = (SpringLinearisation*)carver.Carve<SpringLinearisation>(size.springs);
             scratch.band = (SoaFloat3x3*)carver.Carve<SoaFloat3x3>(size.bandBlocks);
             scratch.lower = (SoaFloat3x3*)carver.Carve<SoaFloat3x3>(size.bandBlocks);
             scratch.boneRotations = (SoaQuaternion*)carver.Carve<SoaQuaternion>(bones);

@@ -24,17 +24,25 @@ namespace Alate
             return m;
         }
 
-        /// <summary>Adds axial·d dᵀ + transversal·I.</summary>
+        /// <summary>Adds a symmetric matrix.</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        public static void AddSpring(SymmetricBlock* m, SoaFloat3 d, float4 axial, float4 transversal)
+        public static void Add(SymmetricBlock* m, float4 xx, float4 yy, float4 zz, float4 xy, float4 xz, float4 yz)
         {
-            SoaFloat3 s = d * axial;
-            m->xx += s.x * d.x + transversal;
-            m->yy += s.y * d.y + transversal;
-            m->zz += s.z * d.z + transversal;
-            m->xy += s.x * d.y;
-            m->xz += s.x * d.z;
-            m->yz += s.y * d.z;
+            m->xx += xx;
+            m->yy += yy;
+            m->zz += zz;
+            m->xy += xy;
+            m->xz += xz;
+            m->yz += yz;
+        }
+
+        /// <summary>Writes a symmetric matrix with its sign changed into a full one.</summary>
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public static void Negate(SoaFloat3x3* m, float4 xx, float4 yy, float4 zz, float4 xy, float4 xz, float4 yz)
+        {
+            m->c0 = new SoaFloat3(-xx, -xy, -xz);
+            m->c1 = new SoaFloat3(-xy, -yy, -yz);
+            m->c2 = new SoaFloat3(-xz, -yz, -zz);
         }
 
         /// <summary>Matrix times vector.</summary>

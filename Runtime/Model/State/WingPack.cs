@@ -220,7 +220,7 @@ namespace Alate
         /// <summary>Largest |l/L − 1| of any spring at the end.</summary>
         public float4 stretch;
 
-        /// <summary>Newton iterations, mean over the substeps of the last step.</summary>
+        /// <summary>Factorisations of the springs' Hessian, mean over the substeps of the last step.</summary>
         public float4 newtonIterations;
 
         /// <summary>Number of times the wing was reset because its state was not finite.</summary>

@@ -81,7 +81,10 @@ namespace Alate
         /// </summary>
         public float Stretch => Readings->stretch[m_Lane];
 
-        /// <summary>Newton iterations per substep, mean over the last step.</summary>
+        /// <summary>
+        /// Newton iterations, each with a factorisation of the springs' Hessian, per substep: mean over the last step; 1 where chord steps
+        /// suffice.
+        /// </summary>
         public float NewtonIterations => Readings->newtonIterations[m_Lane];
 
         /// <summary>Number of times the wing fell back to its driven pose because its state was not finite.</summary>

@@ -15,6 +15,8 @@ namespace Alate.Tests
         /// <summary>f_ref and substep of the species' presets lie about here: 12 Hz, 24 substeps of a beat of 10 Hz.</summary>
         private const float k_BeatRate = 2f * math.PI * 12f, k_Dt = 1f / 240f;
 
+        private delegate void Solver(in WingPack pack, in StepScratch scratch);
+
         [Test]
         public void AtThePresets_TheDefaultLimits_FindTheSameMinimum() => AssertDefaultLimits(0, k_Few);
 
@@ -24,10 +26,18 @@ namespace Alate.Tests
         public void AtThePresets_TheDefaultLimits_FindTheSameMinimum_OfMoreSprings() => AssertDefaultLimits(k_Few, k_Many);
 
         [Test]
+        public void Chords_FindTheSameMinimum_AtThePresets() => AssertChords(0, k_Few);
+
+        [Test]
+        [Explicit]
+        [Category("Long")]
+        public void Chords_FindTheSameMinimum_AtThePresets_OfMoreSprings() => AssertChords(k_Few, k_Many);
+
+        [Test]
         public void AStepJustAboveTheTolerance_IsFollowedByAnother()
         {
             var random = new Random(763145616u);
-            Assert.That(Error(ref random, random.NextFloat(0.5f, 2f), NewtonSolver.Limits.Default), Is.LessThan(1e-4f));
+            Assert.That(Error(ref random, random.NextFloat(0.5f, 2f), Newton(NewtonSolver.Limits.Default)), Is.LessThan(1e-4f));
         }
 
         [Test]
@@ -38,14 +48,18 @@ namespace Alate.Tests
         [Category("Long")]
         public void AtAnyStiffness_WithoutLimits_FindsTheSameMinimum_OfMoreSprings() => AssertWithoutLimits(k_Few, k_Many);
 
-        private static void AssertDefaultLimits(int first, int end)
+        private static void AssertDefaultLimits(int first, int end) => AssertNear(first, end, Newton(NewtonSolver.Limits.Default));
+
+        private static void AssertChords(int first, int end) => AssertNear(first, end, ByChords);
+
+        private static void AssertNear(int first, int end, Solver solver)
         {
             foreach (uint seed in Seeds.First(end).Skip(first))
             {
                 var random = new Random(seed);
                 float elasticity = random.NextFloat(0.5f, 2f);
-                Assert.That(Error(ref random, elasticity, NewtonSolver.Limits.Default), Is.LessThan(1e-4f),
-                    $"wing lengths at elasticity {elasticity}, seed {seed}");
+                Assert.That(
+                    Error(ref random, elasticity, solver), Is.LessThan(1e-4f), $"wing lengths at elasticity {elasticity}, seed {seed}");
             }
         }
 
@@ -57,14 +71,20 @@ namespace Alate.Tests
                 float elasticity = math.pow(10f, random.NextFloat(-2f, 6f));
                 var limits = new NewtonSolver.Limits { newton = 100, tolerance = 1e-7f };
                 Assert.That(
-                    Error(ref random, elasticity, limits), Is.LessThan(1e-4f), $"wing lengths at elasticity {elasticity}, seed {seed}");
+                    Error(ref random, elasticity, Newton(limits)), Is.LessThan(1e-4f),
+                    $"wing lengths at elasticity {elasticity}, seed {seed}");
             }
         }
+
+        private static Solver Newton(NewtonSolver.Limits limits) =>
+            (in WingPack pack, in StepScratch scratch) => NewtonSolver.Minimise(pack, scratch, limits);
+
+        private static void ByChords(in WingPack pack, in StepScratch scratch) => ChordSolver.Minimise(pack, scratch);
 
         // A random grid in a random pose, moved smoothly out of its plane and a little within it, as between two substeps: our solution
         // against the dense one. A monarch's joints move by up to 0.012 in the first Newton iteration of a substep. (Joints moved each on
         // its own would compress springs by several per cent; a flat grid then buckles to either side, and there is more than one minimum.)
-        private static float Error(ref Random random, float elasticity, NewtonSolver.Limits limits)
+        private static float Error(ref Random random, float elasticity, Solver solver)
         {
             int chains = random.NextInt(3, 9), perChain = random.NextInt(3, 9), joints = chains * perChain;
             var rest = new float3[joints];
@@ -101,7 +121,7 @@ namespace Alate.Tests
                     inertia[k] = fixture.scratch.inertia[k].x;
                 }
 
-                NewtonSolver.Minimise(fixture.pack, fixture.scratch, limits);
+                solver(fixture.pack, fixture.scratch);
                 Vector<double> wanted = new DenseReference(joints, perChain, springs, stiffness, anchors, inertia).Minimise(start);
                 double worst = 0.0;
                 for (int k = 0; k < 3 * joints; k++)

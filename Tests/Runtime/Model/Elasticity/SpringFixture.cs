@@ -28,7 +28,6 @@ namespace Alate.Tests
             {
                 joints = chains * joints,
                 bones = chains * (joints - 1),
-                springs = springs.Count,
                 bandBlocks = pack.rig.BandBlocks,
                 patches = 1,
             };

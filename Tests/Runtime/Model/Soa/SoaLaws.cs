@@ -164,7 +164,9 @@ namespace Alate.Tests
                 {
                     float3 d = random.NextFloat3Direction();
                     float axial = size * random.NextFloat(-1f, 1f), across = size * random.NextFloat(-0.2f, 0.2f);
-                    SymmetricBlock.AddSpring(&block, new SoaFloat3(d), axial, across);
+                    float3 s = axial * d;
+                    SymmetricBlock.Add(
+                        &block, s.x * d.x + across, s.y * d.y + across, s.z * d.z + across, s.x * d.y, s.x * d.z, s.y * d.z);
                     for (int row = 0; row < 3; row++)
                     {
                         for (int column = 0; column < 3; column++)
