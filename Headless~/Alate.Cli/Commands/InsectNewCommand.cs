@@ -1,12 +1,11 @@
 using System.CommandLine;
-using Alate.Authoring;
 
 namespace Alate.Cli;
 
-/// <summary><c>insect new DIR</c>: makes an insect file with meshes, skeletons and textures from pictures of its wings.</summary>
+/// <summary><c>insect new DIR</c>: makes an insect file with meshes, skeletons and textures from pictures or meshes of its wings.</summary>
 internal static class InsectNewCommand
 {
-    /// <summary>Insect of the catalogue that one picture is like where nobody says, and that two are like.</summary>
+    /// <summary>Insect of the catalogue that one wing is like where nobody says, and that two are like.</summary>
     private const string k_One = "monarch";
 
     /// <inheritdoc cref="k_One"/>
@@ -16,6 +15,9 @@ internal static class InsectNewCommand
 
     private static readonly Quantity s_Length = new(
         "length", "mm", 0.5m, 1000m, ("mm", 1m), ("cm", 10m), ("m", 1000m), ("µm", 0.001m), ("um", 0.001m), ("in", 25.4m));
+
+    private static readonly Quantity s_Unit = new(
+        "length", "mm", 0.001m, 1000m, ("mm", 1m), ("cm", 10m), ("m", 1000m), ("µm", 0.001m), ("um", 0.001m), ("in", 25.4m));
 
     private static readonly Quantity s_Mass = new(
         "mass", "mg", 0.01m, 10_000_000m, ("mg", 1m), ("g", 1000m), ("kg", 1_000_000m), ("µg", 0.001m), ("ug", 0.001m));
@@ -29,10 +31,11 @@ internal static class InsectNewCommand
     public static Command Create(TextWriter output)
     {
         var folder = new Argument<string>("DIR") { Description = "Where the files go; its name is that of the insect." };
-        var pictures = new Option<string[]>("--wing")
+        var wings = new Option<string[]>("--wing")
         {
-            HelpName = "IMAGE",
-            Description = "A PNG or JPEG of the wing, or of the fore and of the hind wing, each on plain or transparent ground.",
+            HelpName = "FILE",
+            Description = "A PNG or JPEG of the wing, or of the fore and of the hind wing, each on plain or transparent ground; or its "
+                + "mesh, OBJ, with the picture of its material.",
             AllowMultipleArgumentsPerToken = true,
             Arity = new ArgumentArity(1, 2),
         };
@@ -54,20 +57,29 @@ internal static class InsectNewCommand
         {
             HelpName = "NAME",
             Description = $"Insect of the catalogue that has body and motion: {string.Join(", ", InsectCatalogue.Names)}. "
-                + $"[default: {k_One}, of two pictures {LikeOfTwo}]",
+                + $"[default: {k_One}, of two wings {LikeOfTwo}]",
+        };
+        var body = new Option<string>("--body")
+        {
+            HelpName = "BODY.obj",
+            Description = "Mesh of the body: X to the right, Y up, Z ahead, from the middle of the thorax. [default: as --like's]",
+        };
+        var unit = new Option<string>("--body-unit")
+        {
+            HelpName = "LENGTH", Description = "Length of one unit of that mesh, such as 1mm or 1m.",
         };
         var name = new Option<string>("--name") { HelpName = "NAME", Description = "Name of the insect. [default: that of DIR]" };
-        var command = new Command("new", "Makes an insect file, with meshes, skeletons and textures, from pictures of its wings.")
+        var command = new Command("new", "Makes an insect file, with meshes, skeletons and textures, from pictures or meshes of its wings.")
         {
-            folder, pictures, lengths, mass, frequency, like, name,
+            folder, wings, lengths, mass, frequency, like, body, unit, name,
         };
         HelpExamples.Set(command, k_Examples);
         command.SetAction(parsed =>
         {
             string path = parsed.GetValue(folder);
-            string[] files = parsed.GetValue(pictures) ?? [], far = parsed.GetValue(lengths) ?? [];
+            string[] files = parsed.GetValue(wings) ?? [], far = parsed.GetValue(lengths) ?? [];
             if (files.Length == 0)
-                throw new UserException("Which wing? --wing takes a picture of it, or of the fore and of the hind wing.");
+                throw new UserException("Which wing? --wing takes a picture or a mesh of it, or of the fore and of the hind wing.");
             if (far.Length == 0)
                 throw new UserException("How long is the wing? --length, from hinge to tip with its unit, such as 50mm.");
             if (far.Length > files.Length)
@@ -75,7 +87,7 @@ internal static class InsectNewCommand
             InsectDefinition known = KnownSpecies.FindInCatalogue(parsed.GetValue(like) ?? (files.Length == 1 ? k_One : LikeOfTwo));
             if (known.Wings.Count < files.Length)
             {
-                throw new UserException($"The {known.Name} has one kind of wing, so that two pictures need another --like: "
+                throw new UserException($"The {known.Name} has one kind of wing, so that two wings need another --like: "
                     + $"{string.Join(", ", InsectCatalogue.All.Where(insect => insect.Wings.Count > 1).Select(insect => insect.Name))}.");
             }
 
@@ -87,7 +99,10 @@ internal static class InsectNewCommand
             bool isGiven = millimetres.Count == files.Length;
             if (!isGiven)
                 millimetres.Add(NewInsect.LengthBehind(known, millimetres[0]));
-            var insect = new NewInsect(NameOf(parsed.GetValue(name), path), known, milligrams, hertz);
+            var insect = new NewInsect(NameOf(parsed.GetValue(name), path), known, milligrams, hertz)
+            {
+                BodyMesh = BodyOf(parsed.GetValue(body), parsed.GetValue(unit)),
+            };
             Make(insect, files, millimetres, isGiven, path, output);
             return 0;
         });
@@ -97,7 +112,7 @@ internal static class InsectNewCommand
     private static void Make(NewInsect insect, string[] files, List<decimal> lengths, bool isGiven, string path, TextWriter output)
     {
         insect = WithWings(insect, files, lengths, isGiven);
-        using var folder = OutputFolder.Prepare(path, [insect.File, .. insect.FilesOfWings.SelectMany(wing => wing.All)]);
+        using var folder = OutputFolder.Prepare(path, [.. insect.Files]);
         insect.Write(folder);
         folder.Commit();
         for (int k = 0; k < files.Length; k++)
@@ -108,23 +123,22 @@ internal static class InsectNewCommand
         }
 
         string file = Path.Combine(path, insect.File);
-        output.WriteLine($"Wrote {insect.File} and its wings into {path}; the .svg files show what was found in the pictures.");
+        output.WriteLine($"Wrote {insect.File} and its wings into {path}; the .svg files show what was found.");
         output.WriteLine($"  fly {file}\n  species {file} --check");
     }
 
-    /// <summary>Gives an insect wings that are traced in pictures.</summary>
+    /// <summary>Gives an insect the wings that are found in files.</summary>
     /// <param name="insect">All but its wings.</param>
-    /// <param name="files">Pictures of them, from front to back.</param>
+    /// <param name="files">Pictures or meshes of them, from front to back.</param>
     /// <param name="lengths">Lengths of them, millimetres.</param>
     /// <param name="isGiven">True where the last length is from hinge to tip, false where it is across the body.</param>
-    /// <exception cref="UserException">A picture shows no wing, or the numbers make no insect.</exception>
+    /// <exception cref="UserException">A file shows no wing, or the numbers make no insect.</exception>
     internal static NewInsect WithWings(NewInsect insect, string[] files, List<decimal> lengths, bool isGiven)
     {
-        List<(TracedWing Wing, decimal Length)> wings =
-            [.. files.Zip(lengths, (file, length) => (TracedWing.Of(file, WingTracingSettings.Default), length))];
+        List<(FoundWing Wing, decimal Length)> wings = [.. files.Zip(lengths, (file, length) => (FoundWing.Of(file), length))];
         if (files.Length > 1)
         {
-            double across = WingTurn.TurnLike(wings[1].Wing, insect.Like.Wings[1], files[1]);
+            double across = WingTurn.TurnLike(wings[1].Wing, insect.Like.Wings[1]);
             // A length that nobody gave is across the body already.
             if (isGiven)
                 wings[1] = (wings[1].Wing, (decimal)Math.Round((double)wings[1].Length * across, 2));
@@ -133,6 +147,19 @@ internal static class InsectNewCommand
         insect = insect with { Wings = wings };
         insect.Check();
         return insect;
+    }
+
+    private static (string File, decimal Unit)? BodyOf(string file, string unit)
+    {
+        if (file == null)
+        {
+            return unit == null
+                ? null
+                : throw new UserException("--body-unit is the length of a unit of the mesh of --body, which is missing.");
+        }
+
+        return (file, s_Unit.Read("--body-unit", unit
+            ?? throw new UserException("How long is a unit of the body's mesh? --body-unit, with its unit, such as 1mm.")));
     }
 
     private static string NameOf(string given, string path)
@@ -149,11 +176,14 @@ internal static class InsectNewCommand
     private const string k_Examples =
         "Examples:\n"
         + "  insect new mymoth --wing wing.png --length 50mm --mass 1.6g --frequency 25Hz\n"
-        + "  insect new mymoth --wing fore.png hind.jpg --length 5cm 3.8cm --mass 1600mg --frequency 1500/min --like fishfly\n\n"
+        + "  insect new mymoth --wing fore.png hind.jpg --length 5cm 3.8cm --mass 1600mg --frequency 1500/min --like fishfly\n"
+        + "  insect new mywasp --wing fore.obj hind.obj --length 14mm --mass 90mg --frequency 110Hz --like dragonfly --body body.obj "
+        + "--body-unit 1cm\n\n"
         + "Writes into DIR:\n"
         + "  NAME.insect.json                  the insect, for every command that takes a SPECIES\n"
-        + "  wing.obj, wing.mtl, wing.png      mesh, material and texture of the wing; of two: fore and hind\n"
+        + "  wing.obj, wing.mtl, wing.png      mesh, material and texture of the wing; of two: fore and hind. A mesh stays as it is\n"
         + "  wing.json                         its skeleton\n"
-        + "  wing.svg                          the picture with what was found in it: outline, mesh, veins, chains\n\n"
+        + "  wing.svg                          what was found, drawn on the picture; of a mesh its outline and chains\n"
+        + "  body.obj                          the mesh of --body\n\n"
         + "Exit code: 0 when all is written, 2 for bad usage or input (nothing is written then).\n";
 }

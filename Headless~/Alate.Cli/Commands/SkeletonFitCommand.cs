@@ -53,36 +53,13 @@ internal static class SkeletonFitCommand
     private static void Run(string file, ObjMesh mesh, in SkeletonFitSettings settings, string path, TextWriter output)
     {
         const string k_Skeleton = "skeleton.json", k_Picture = "skeleton.svg";
-        SkeletonFit fit = Fit(mesh.ToSurface(file), settings);
+        SkeletonFit fit = FittedWing.Fit(mesh.ToSurface(file), settings);
         using var folder = OutputFolder.Prepare(path, k_Skeleton, k_Picture);
         folder.Write(k_Skeleton, stream => stream.Write(Encoding.UTF8.GetBytes(SkeletonJson.Write(fit.Skeleton, mesh.Origin))));
         folder.Write(k_Picture, stream => stream.Write(Encoding.UTF8.GetBytes(SkeletonPicture.Draw(fit))));
         folder.Commit();
-        output.WriteLine(Summary(fit));
+        output.WriteLine(FittedWing.Describe(fit));
         output.WriteLine($"Wrote {k_Skeleton} and {k_Picture} into {path}.");
-    }
-
-    /// <summary>One line: the confidence and all warnings.</summary>
-    public static string Summary(SkeletonFit fit)
-    {
-        var text = new StringBuilder();
-        text.Append(CultureInfo.InvariantCulture, $"{fit.Skeleton.ChainCount} chains of {fit.Skeleton.JointsPerChain} joints, ");
-        text.Append(CultureInfo.InvariantCulture, $"confidence {fit.Confidence:0.00}.");
-        foreach (SkeletonFitWarning warning in fit.Warnings)
-            text.Append($" {warning.Kind}: {warning.Message}");
-        return text.ToString();
-    }
-
-    private static SkeletonFit Fit(SurfaceMesh surface, in SkeletonFitSettings settings)
-    {
-        try
-        {
-            return SkeletonFitter.Fit(surface, settings);
-        }
-        catch (ArgumentException problem)
-        {
-            throw new UserException(problem.Message);
-        }
     }
 
     private static Vector3? Vector(double[] given, (double X, double Y, double Z) origin = default) => given is { Length: 3 }

@@ -28,6 +28,9 @@ internal sealed class ObjMesh
     /// <summary>File of the materials as the mesh names it; null where it names none.</summary>
     public string Library { get; init; }
 
+    /// <summary>True for the name of such a file.</summary>
+    public static bool IsNamed(string file) => string.Equals(Path.GetExtension(file), ".obj", StringComparison.OrdinalIgnoreCase);
+
     public SurfaceMesh ToSurface(string name) =>
         new() { name = name, positions = Positions, normals = Normals, uvs = Uvs, triangles = Triangles };
 }

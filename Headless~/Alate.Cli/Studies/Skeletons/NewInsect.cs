@@ -2,20 +2,30 @@ using System.Text.Json.Nodes;
 
 namespace Alate.Cli;
 
-/// <summary>A new insect of the user's: pictures of its wings and a few numbers, on the body of one of the catalogue.</summary>
+/// <summary>A new insect of the user's: wings and a few numbers, on a body of the user's or that of one of the catalogue.</summary>
 /// <param name="Name">In names of files.</param>
 /// <param name="Like">Insect of the catalogue that has the rest.</param>
 /// <param name="Mass">Of the whole insect, milligrams.</param>
 /// <param name="Frequency">Of the beat, hertz.</param>
 internal sealed record NewInsect(string Name, InsectDefinition Like, decimal Mass, decimal Frequency)
 {
+    /// <summary>Name of the body's file.</summary>
+    public const string BodyFile = "body.obj";
+
     private const string k_Given = "given to 'insect new'";
 
-    /// <summary>Traced wings, from front to back, and their lengths, millimetres.</summary>
-    public IReadOnlyList<(TracedWing Wing, decimal Length)> Wings { get; init; }
+    /// <summary>Wings, from front to back, and their lengths, millimetres.</summary>
+    public IReadOnlyList<(FoundWing Wing, decimal Length)> Wings { get; init; }
+
+    /// <summary>Mesh of the body, and millimetres of one unit of it; null for the body of <see cref="Like"/>.</summary>
+    public (string File, decimal Unit)? BodyMesh { get; init; }
 
     /// <summary>Name of the insect file.</summary>
     public string File => Name + InsectFile.Ending;
+
+    /// <summary>Names of all files.</summary>
+    public IEnumerable<string> Files =>
+        [File, .. FilesOfWings.SelectMany(wing => wing.All), .. BodyMesh == null ? Array.Empty<string>() : [BodyFile]];
 
     /// <summary>Files of each wing.</summary>
     public IReadOnlyList<TracedFiles> FilesOfWings =>
@@ -30,7 +40,9 @@ internal sealed record NewInsect(string Name, InsectDefinition Like, decimal Mas
     public void Check()
     {
         for (int k = 0; k < Wings.Count; k++)
-            WingFiles.FrameOf(Wings[k].Wing.Trace.Skeleton, Wings[k].Wing.Trace.Surface, FilesOfWings[k].Mesh);
+            WingFiles.FrameOf(Wings[k].Wing.Skeleton, Wings[k].Wing.Surface, FilesOfWings[k].Mesh);
+        if (BodyMesh is { } body)
+            TextFile.Read(body.File, ObjReader.Read, InputFile.Mesh);
         try
         {
             InsectFile.Read(JsonPlace.Read(new StringReader(Text(hasFiles: false))), File);
@@ -46,6 +58,15 @@ internal sealed record NewInsect(string Name, InsectDefinition Like, decimal Mas
     {
         for (int k = 0; k < Wings.Count; k++)
             Wings[k].Wing.Write(folder, FilesOfWings[k]);
+        if (BodyMesh is { } body)
+        {
+            folder.Write(BodyFile, stream =>
+            {
+                using FileStream mesh = InputFile.Open(body.File, InputFile.Mesh);
+                mesh.CopyTo(stream);
+            });
+        }
+
         folder.Write(File, stream => stream.Write(Encoding.UTF8.GetBytes(Text(hasFiles: true))));
     }
 
@@ -66,14 +87,24 @@ internal sealed record NewInsect(string Name, InsectDefinition Like, decimal Mas
             {
                 wing[InsectKeys.Mesh] = FilesOfWings[k].Mesh;
                 wing[InsectKeys.Skeleton] = FilesOfWings[k].Skeleton;
-                wing[InsectKeys.Texture] = FilesOfWings[k].Picture;
+                if (Wings[k].Wing.IsTextured)
+                    wing[InsectKeys.Texture] = FilesOfWings[k].Picture;
             }
 
             wing[InsectKeys.OfWing[0].Name] = Wings[k].Length;
             wing[InsectKeys.OfWing[1].Name] = Rounded(heavier * 1e6 * SizeOf(Like.Wings[k]).wingMass);
             wings[kind] = wing;
-            string picture = Path.GetFileName(Wings[k].Wing.Picture.Path);
-            sources.Add(Source($"{kind}: shape, length", FormattableString.Invariant($"{picture}, {Wings[k].Length:0.####} mm"), k_Given));
+            string file = Path.GetFileName(Wings[k].Wing.File);
+            sources.Add(Source($"{kind}: shape, length", FormattableString.Invariant($"{file}, {Wings[k].Length:0.####} mm"), k_Given));
+        }
+
+        var shown = new JsonObject { [InsectKeys.Scale] = Rounded(Math.Cbrt(heavier)) };
+        if (BodyMesh is { } mesh)
+        {
+            if (hasFiles)
+                (shown[InsectKeys.Mesh], shown[InsectKeys.MeshUnit]) = (BodyFile, mesh.Unit);
+            sources.Add(Source(
+                "body: shape", FormattableString.Invariant($"{Path.GetFileName(mesh.File)}, {mesh.Unit:0.######} mm a unit"), k_Given));
         }
 
         sources.Add(Source(
@@ -87,7 +118,7 @@ internal sealed record NewInsect(string Name, InsectDefinition Like, decimal Mas
             [InsectKeys.OfInsect[0].Name] = Mass,
             [InsectKeys.Beat] = new JsonObject { [InsectKeys.Frequency] = Frequency },
             [InsectKeys.Wings] = wings,
-            [InsectKeys.Body] = new JsonObject { [InsectKeys.Scale] = Rounded(Math.Cbrt(heavier)) },
+            [InsectKeys.Body] = shown,
             [InsectKeys.Sources] = sources,
         });
     }

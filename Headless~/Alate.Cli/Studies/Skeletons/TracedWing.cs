@@ -5,7 +5,7 @@ namespace Alate.Cli;
 /// <summary>A wing that was traced in a picture of the user's.</summary>
 /// <param name="Picture">The picture.</param>
 /// <param name="Trace">What was found in it.</param>
-internal sealed record TracedWing(PictureFile Picture, WingTrace Trace)
+internal sealed record TracedWing(PictureFile Picture, WingTrace Trace) : FoundWing(Picture.Path, Trace.Surface, Trace.Skeleton)
 {
     /// <summary>Traces a picture.</summary>
     /// <exception cref="UserException">The file cannot be read, or shows no wing.</exception>
@@ -22,8 +22,9 @@ internal sealed record TracedWing(PictureFile Picture, WingTrace Trace)
         }
     }
 
-    /// <summary>Sentences about what was found.</summary>
-    public string Summary
+    public override bool IsTextured => true;
+
+    public override string Summary
     {
         get
         {
@@ -39,7 +40,7 @@ internal sealed record TracedWing(PictureFile Picture, WingTrace Trace)
     }
 
     /// <summary>Writes skeleton, mesh with its material and picture, and the overlay.</summary>
-    public void Write(OutputFolder folder, TracedFiles files)
+    public override void Write(OutputFolder folder, TracedFiles files)
     {
         void Text(string name, string text) => folder.Write(name, stream => stream.Write(Encoding.UTF8.GetBytes(text)));
         Text(files.Skeleton, SkeletonJson.Write(Trace.Skeleton));

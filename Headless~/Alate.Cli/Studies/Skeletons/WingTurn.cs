@@ -7,16 +7,16 @@ namespace Alate.Cli;
 internal static class WingTurn
 {
     /// <summary>
-    /// Turns a traced wing about its hinge, in its own plane, until its middle points as far back as that of a wing of the catalogue.
+    /// Turns a wing that was found about its hinge, in its own plane, until its middle points as far back as that of a wing of the
+    /// catalogue.
     /// </summary>
     /// <param name="wing">The axis of its span is set.</param>
     /// <param name="like">The wing that has the direction.</param>
-    /// <param name="file">Of the wing, for messages.</param>
     /// <returns>Length of the wing across the body over that from hinge to tip.</returns>
     /// <exception cref="UserException">Mesh and skeleton do not fit one another.</exception>
-    public static double TurnLike(TracedWing wing, WingDefinition like, string file)
+    public static double TurnLike(FoundWing wing, WingDefinition like)
     {
-        (WingSkeleton skeleton, SurfaceMesh surface) = (wing.Trace.Skeleton, wing.Trace.Surface);
+        (WingSkeleton skeleton, SurfaceMesh surface, string file) = (wing.Skeleton, wing.Surface, wing.File);
         WingFrame frame = WingFiles.FrameOf(skeleton, surface, file);
         WingSkeleton known = like.CreateSkeleton(WingSide.Right);
         SurfaceMesh shape = like.CreateSurface(WingSide.Right);

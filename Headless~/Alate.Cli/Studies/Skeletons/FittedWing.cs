@@ -1,0 +1,76 @@
+using Alate.Authoring;
+using Alate.Fitting;
+
+namespace Alate.Cli;
+
+/// <summary>A mesh of a wing of the user's into which a skeleton was laid.</summary>
+internal sealed record FittedWing : FoundWing
+{
+    private readonly ObjMesh m_Mesh;
+    private readonly SkeletonFit m_Fit;
+    private readonly PictureFile m_Picture;
+
+    private FittedWing(string file, ObjMesh mesh, SurfaceMesh surface, SkeletonFit fit, PictureFile picture)
+        : base(file, surface, fit.Skeleton)
+    {
+        m_Mesh = mesh;
+        m_Fit = fit;
+        m_Picture = picture;
+    }
+
+    public override string Summary => $"{Surface.TriangleCount} triangles, {Describe(m_Fit)}";
+
+    public override bool IsTextured => m_Picture != null;
+
+    /// <summary>Lays a skeleton into the mesh of a file.</summary>
+    /// <exception cref="UserException">The file cannot be read, or no skeleton fits.</exception>
+    public static new FittedWing Of(string file)
+    {
+        ObjMesh mesh = TextFile.Read(file, ObjReader.Read, InputFile.Mesh);
+        SkeletonFitSettings settings = SkeletonFitSettings.Default;
+        settings.isOriginUnknown = mesh.Origin != default;
+        string picture = mesh.Uvs == null ? null : ObjMaterial.FindPicture(file, mesh.Library);
+        SurfaceMesh surface = mesh.ToSurface(file);
+        return new FittedWing(file, mesh, surface, Fit(surface, settings), picture == null ? null : PictureFile.Read(picture));
+    }
+
+    /// <summary>Lays a skeleton into a mesh.</summary>
+    /// <exception cref="UserException">None fits.</exception>
+    public static SkeletonFit Fit(SurfaceMesh surface, in SkeletonFitSettings settings)
+    {
+        try
+        {
+            return SkeletonFitter.Fit(surface, settings);
+        }
+        catch (ArgumentException problem)
+        {
+            throw new UserException(problem.Message);
+        }
+    }
+
+    /// <summary>One line: the confidence and all warnings.</summary>
+    public static string Describe(SkeletonFit fit)
+    {
+        var text = new StringBuilder();
+        text.Append(CultureInfo.InvariantCulture, $"{fit.Skeleton.ChainCount} chains of {fit.Skeleton.JointsPerChain} joints, ");
+        text.Append(CultureInfo.InvariantCulture, $"confidence {fit.Confidence:0.00}.");
+        foreach (SkeletonFitWarning warning in fit.Warnings)
+            text.Append($" {warning.Kind}: {warning.Message}");
+        return text.ToString();
+    }
+
+    /// <summary>Writes the skeleton, the mesh as it is, its picture, and the drawing.</summary>
+    public override void Write(OutputFolder folder, TracedFiles files)
+    {
+        void Text(string name, string text) => folder.Write(name, stream => stream.Write(Encoding.UTF8.GetBytes(text)));
+        Text(files.Skeleton, SkeletonJson.Write(Skeleton, m_Mesh.Origin));
+        folder.Write(files.Mesh, stream =>
+        {
+            using FileStream mesh = InputFile.Open(File, InputFile.Mesh);
+            mesh.CopyTo(stream);
+        });
+        if (IsTextured)
+            folder.Write(files.Picture, stream => stream.Write(m_Picture.Bytes));
+        Text(files.Overlay, SkeletonPicture.Draw(m_Fit));
+    }
+}
