@@ -32,6 +32,16 @@ function encode(value, k) {
 }
 
 const cases = {
+  async droppedFolders() {
+    const { filesOf, read } = await load('dropped.js'), names = async (...entries) => (await filesOf(dropOf(...entries))).map(({ name }) => name);
+    same(await names(['a.obj', 1], ['b.png', 2]), ['a.obj', 'b.png'], 'files alone');
+    same(await names(['moth', [['moth.insect.json', 1], ['.DS_Store', 9], ['wings', [['fore.obj', 1], ['fore.json', 1], ['fore.png', 1]]], ['.git', [['HEAD', 1]]]]], ['more.csv', 1]),
+      ['moth.insect.json', 'fore.obj', 'fore.json', 'fore.png', 'more.csv'], 'a folder');
+    const many = await filesOf(dropOf(['home', Array.from({ length: 1000 }, (_, k) => [`${k}.obj`, 1])]));
+    same(many.length, 17, 'the first beyond the most');
+    same(await read(many).catch((problem) => problem.message), 'These are more than 16 files; drop those of one insect.', 'too many');
+    same(await filesOf({ files: [{ name: 'x' }], items: [{}] }), [{ name: 'x' }], 'where a browser tells no entries');
+  },
   // A socket that tells before anybody listens: all of it in its order, and of the states the last one.
   early() {
     class Socket {
@@ -266,6 +276,23 @@ function fake() {
   class Plain { add() {} }
   class Instanced { constructor() { this.instanceMatrix = {}; } }
   return { Vector3, Quaternion, Matrix4, CylinderGeometry: Geometry, ConeGeometry: Geometry, BufferGeometry: Geometry, BufferAttribute, Group: Plain, Mesh, MeshBasicMaterial: Plain, InstancedMesh: Instanced };
+}
+
+// What a browser tells of a file or folder that is dropped; folders give their entries in parts of two.
+function entryOf(name, content) {
+  if (!Array.isArray(content))
+    return { name, isFile: true, isDirectory: false, file: (done) => done({ name, size: content }) };
+  return {
+    name, isFile: false, isDirectory: true,
+    createReader() {
+      const left = content.map((inner) => entryOf(...inner));
+      return { readEntries: (done) => setTimeout(() => done(left.splice(0, 2))) };
+    },
+  };
+}
+
+function dropOf(...entries) {
+  return { files: entries.map(([name]) => ({ name })), items: entries.map((entry) => ({ webkitGetAsEntry: () => entryOf(...entry) })) };
 }
 
 for (const [name, run] of Object.entries(cases)) {

@@ -21,7 +21,9 @@ public sealed class PageScriptTests : ViewFixture
         File.WriteAllText(folder.PathOf("package.json"), "{\"type\":\"module\"}");
         Fly(async () =>
         {
-            foreach (string script in new[] { "format.js", "overlays.js", "perch.js", "chart.js", "share.js", "stage.js", "live.js" })
+            string[] scripts =
+                ["format.js", "overlays.js", "perch.js", "chart.js", "share.js", "stage.js", "live.js", "dropped.js"];
+            foreach (string script in scripts)
                 File.WriteAllBytes(folder.PathOf(script), await Client.GetByteArrayAsync(script));
             await using ViewClient page = await ViewClient.Open(Server);
             await page.Say("{\"values\":{\"slow\":1}}");
@@ -35,7 +37,7 @@ public sealed class PageScriptTests : ViewFixture
         (int code, string output) = WebTools.Run("page.mjs", folder.Root).GetAwaiter().GetResult();
 
         Assert.That(code, Is.Zero, output);
-        Assert.That(output.Split('\n').Count(line => line.StartsWith("ok ")), Is.EqualTo(11), output);
+        Assert.That(output.Split('\n').Count(line => line.StartsWith("ok ")), Is.EqualTo(12), output);
     }
 
     private static string Told(ViewState state) => JsonSerializer.Serialize(new

@@ -111,6 +111,13 @@ if (stage) {
       if (latest)
         stage.setState(latest);
     },
+    drop: async (transfer) => {
+      try {
+        await actions.files(await dropped.filesOf(transfer));
+      } catch (problem) {
+        say(`What was dropped cannot be read: ${problem.message}`, 'note bad');
+      }
+    },
     files: async (files) => {
       if (!isLive || files.length === 0)
         return;

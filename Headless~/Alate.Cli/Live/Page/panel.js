@@ -38,7 +38,7 @@ export class Panel {
     addEventListener('dragleave', (event) => over(event, false));
     addEventListener('drop', (event) => {
       over(event, false);
-      this.actions.files([...event.dataTransfer.files]);
+      this.actions.drop(event.dataTransfer);
     });
   }
 
