@@ -66,7 +66,8 @@ internal static class InsectNewCommand
         };
         var unit = new Option<string>("--body-unit")
         {
-            HelpName = "LENGTH", Description = "Length of one unit of that mesh, such as 1mm or 1m.",
+            HelpName = "LENGTH",
+            Description = "Length of one unit of that mesh, such as 1mm or 1m.",
         };
         var name = new Option<string>("--name") { HelpName = "NAME", Description = "Name of the insect. [default: that of DIR]" };
         var command = new Command("new", "Makes an insect file, with meshes, skeletons and textures, from pictures or meshes of its wings.")

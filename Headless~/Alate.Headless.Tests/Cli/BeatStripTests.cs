@@ -26,9 +26,9 @@ namespace Alate.Tests.Cli
         [OneTimeSetUp]
         public void Draw()
         {
-            m_File = BeatStrip.Draw(MonarchFlight.Level);
-            m_Picture = PngFile.Read(m_File);
             m_Page = BeatStrip.Compose(MonarchFlight.Level, out m_Layout);
+            m_File = m_Page.Write();
+            m_Picture = PngFile.Read(m_File);
             m_Panels = Enumerable.Range(0, k_Phases).Select(k => Painted(m_Picture, m_Layout[k])).ToList();
         }
 

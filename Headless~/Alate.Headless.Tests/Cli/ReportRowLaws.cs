@@ -87,7 +87,8 @@ public sealed class ReportRowLaws
     [Category("Long")]
     public void Wakes_AreThoseOfTheReport() =>
         Compare(row => Text(row, "table") == "wakes", 4,
-            done => WakeRows.Beating(done).Concat(WakeRows.Starting(done)).Concat(WakeRows.Steady(done)).Concat(WakeRows.Revolving(done)),
+            done => WakeRows.Beating(done).Concat(WakeRows.Starting(done)).Concat(WakeRows.Steady(done)).Concat(WakeRows.Revolving(done))
+                .Concat(WakeRows.Flapping(done)),
             1e-3, 1e-3, false);
 
     [Test]

@@ -137,6 +137,21 @@ public sealed class StudyPictureLaws
     }
 
     [Test]
+    public void TrimsOfOneSpeed_AreDrawnOverTheClimb_AndOnePointIsTold()
+    {
+        TrimRow[] rows =
+            [.. new[] { 1.0, -0.5, 0 }.Select(climb => new TrimRow(1.3, climb, true, climb + 1, 2, 3, 4, 9, 5, 6, 7, 0, 0, 0, null))];
+        var svg = XElement.Parse(TrimPicture.Draw(InsectCatalogue.Find("monarch"), rows));
+        var up = ChartAxis.Linear(new[] { 0.5, 1, 2 });
+        AssertPlaces(svg.Elements(s_Svg + "path").First(), [(-0.5, 0.5), (0, 1), (1, 2)], climb => 56 + 424 * (climb + 0.5) / 1.5,
+            value => 102 + 230 * (up.To - value) / (up.To - up.From));
+        Assert.That(Texts(svg)[..2], Is.EqualTo(new[] { "Monarch: trim over climb", "Climb, m/s, at 1.3 m/s ahead." }));
+
+        svg = XElement.Parse(TrimPicture.Draw(InsectCatalogue.Find("monarch"), rows[..1]));
+        Assert.That(Texts(svg), Is.EqualTo(new[] { "Monarch: trim over climb", "One point has no curves; trim.csv has its numbers." }));
+    }
+
+    [Test]
     public void CurvesOfAValidation_AreClosed_AndBreakWhereNothingWasMeasured()
     {
         ValidationCurve one = new("a", "first", [("rigid", [0, 1, 2, 1]), ("flexible", [1, 1, 3, 1])], [1, double.NaN, 2, 2.5],

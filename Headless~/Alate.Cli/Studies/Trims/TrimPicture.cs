@@ -1,6 +1,6 @@
 namespace Alate.Cli;
 
-/// <summary>Trim curves over the speed, a line a climb.</summary>
+/// <summary>Trim curves over the speed, a line a climb; over the climb where there is one speed.</summary>
 internal static class TrimPicture
 {
     private static readonly string[] s_Colours = ["#0b5fa5", "#3d3a34", "#c2410c", "#5b7f2b", "#7a3b8f"];
@@ -11,10 +11,15 @@ internal static class TrimPicture
         const float k_Width = 500f, k_Height = 280f;
         double[] speeds = rows.Select(row => row.Speed).Distinct().OrderBy(speed => speed).ToArray(),
             climbs = rows.Select(row => row.Climb).Distinct().OrderBy(climb => climb).ToArray();
+        bool isOverClimb = speeds.Length == 1;
+        double[] along = isOverClimb ? climbs : speeds, lines = isOverClimb ? speeds : climbs;
         var page = new SvgPage();
-        page.Text(26f, 38f, 22f, $"{insect.DisplayName}: trim over speed", look: "b");
-        page.Text(26f, 60f, 13f,
-            "Speed ahead, m/s. Lines: climb " + string.Join(", ", climbs.Select(LineChart.Label)) + " m/s, from blue to red.", look: "t");
+        page.Text(26f, 38f, 22f, $"{insect.DisplayName}: trim over {(isOverClimb ? "climb" : "speed")}", look: "b");
+        page.Text(26f, 60f, 13f, along.Length == 1
+            ? "One point has no curves; trim.csv has its numbers."
+            : isOverClimb
+                ? $"Climb, m/s, at {LineChart.Label(speeds[0])} m/s ahead."
+                : $"Speed ahead, m/s. Lines: climb {string.Join(", ", climbs.Select(LineChart.Label))} m/s, from blue to red.", look: "t");
         (string Title, Func<TrimRow, double> Of)[] charts =
         [
             ("Pitch, °", row => row.Pitch), ("Frequency, Hz", row => row.Frequency), ("Flap from end to end, °", row => row.Flap),
@@ -24,19 +29,22 @@ internal static class TrimPicture
         for (int k = 0; k < charts.Length; k++)
         {
             var curves = new List<ChartCurve>();
-            for (int c = 0; c < climbs.Length; c++)
+            for (int line = 0; line < lines.Length; line++)
             {
-                double climb = climbs[c];
-                IEnumerable<double> values = speeds.Select(
-                    speed => rows.FirstOrDefault(row => row.Speed == speed && row.Climb == climb && row.Closes) is { } row
+                double other = lines[line];
+                IEnumerable<double> values = along.Select(place =>
+                {
+                    (double speed, double climb) = isOverClimb ? (other, place) : (place, other);
+                    return rows.FirstOrDefault(row => row.Speed == speed && row.Climb == climb && row.Closes) is { } row
                         ? charts[k].Of(row)
-                        : double.NaN);
-                curves.Add(new ChartCurve(values.ToList(), s_Colours[c % s_Colours.Length], false));
+                        : double.NaN;
+                });
+                curves.Add(new ChartCurve(values.ToList(), s_Colours[line % s_Colours.Length], false));
             }
 
-            if (speeds.Length > 1)
+            if (along.Length > 1)
             {
-                new LineChart(speeds, false, 12f + k % 2 * k_Width, 76f + k / 2 * k_Height, k_Width - 20f, k_Height)
+                new LineChart(along, false, 12f + k % 2 * k_Width, 76f + k / 2 * k_Height, k_Width - 20f, k_Height)
                     .Draw(page, charts[k].Title, curves);
             }
         }

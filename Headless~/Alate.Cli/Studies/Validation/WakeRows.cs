@@ -7,9 +7,12 @@ namespace Alate.Cli;
 internal static class WakeRows
 {
     private const double k_Height = 0.01, k_Pitch = Math.PI / 180, k_Share = 0.05, k_Degrees = 3, k_Measured = 0.12;
-    private const string k_Ours = "ours: theory has no spread", k_Spread = "ours: the fit that was published has no spread";
+    private const string k_Ours = "ours: theory has no spread", k_Spread = "ours: the fit that was published has no spread",
+        k_Digitised = "ours: the plots have no spread";
     private const string k_Theodorsen = "Theodorsen 1935, NACA Rep. 496", k_Garrick = "Garrick 1936, NACA Rep. 567",
         k_Wagner = "Wagner 1925, as R. T. Jones 1940, NACA Rep. 681, has it";
+    private const string k_Yeo = "Yeo, Atkins and Shyy 2011, nine pressures, read by Urban 2020",
+        k_Urban = "Urban 2020, report, Washington University in St. Louis, openscholarship.wustl.edu/mems500/135";
     private const string k_Dickinson = "Dickinson, Lehmann and Sane 1999, Science 284:1954, a model of a fly's wing in oil";
 
     /// <summary>Plates that heave and pitch in two dimensions: lift and thrust.</summary>
@@ -115,6 +118,33 @@ internal static class WakeRows
         done();
     }
 
+    /// <summary>A wing that flaps in a stream, beside its pressures and beside another lattice.</summary>
+    public static IEnumerable<ValidationRow> Flapping(Action done)
+    {
+        // Urban's 29.1 mN: five by eighteen panels of attached flow, a wake that does not move by itself, 224 steps in three beats.
+        const double k_Other = 29.1;
+        foreach ((string by, WakeMethod method, bool attached) in new[]
+        {
+            ("panels of attached flow", WakeMethod.Panels, true),
+            ("panels, whose suction is fitted to a fly's wing", WakeMethod.Panels, false),
+            ("strips", WakeMethod.Strips, false),
+        })
+        {
+            (double rms, double error) = FlappingPlate.Fly(method, attached, 24);
+            (double fineRms, double fineError) = FlappingPlate.Fly(method, attached, 48);
+            string record = $"ornithopter's stiff wing in a stream, {by}";
+            yield return Near(record, "root mean square of the lift, mN", FlappingPlate.MeasuredRms, k_Measured, k_Yeo, rms, fineRms);
+            yield return new ValidationRow(
+                record, "mean distance from the measured lift, mN", 0, k_Other, "Ptera Software, as its author published: 29.1",
+                "no farther than Ptera Software", k_Urban, error, fineError)
+            {
+                Table = ValidationTable.Wakes,
+            };
+        }
+
+        done();
+    }
+
     private static (double Lift, double Drag) Revolve(double degrees, WakeMethod method, int steps) =>
         RevolvingWing.Fly(degrees, new WakeSettings(method) { Keep = 4f, StepsPerBeat = steps });
 
@@ -165,8 +195,8 @@ internal static class WakeRows
     private static ValidationRow Near(
         string record, string quantity, double value, double share, string source, double ours, double fine) =>
         new(record, quantity, (1 - share) * value, (1 + share) * value,
-            FormattableString.Invariant($"{(source == k_Dickinson ? "measured" : "theory")}: {value:0.000}"),
-            source == k_Dickinson ? k_Spread : k_Ours, source, ours, fine)
+            FormattableString.Invariant($"{(source is k_Dickinson or k_Yeo ? "measured" : "theory")}: {value:0.000}"),
+            source == k_Dickinson ? k_Spread : source == k_Yeo ? k_Digitised : k_Ours, source, ours, fine)
         {
             Table = ValidationTable.Wakes,
         };
