@@ -16,8 +16,7 @@ internal static class InsectNewCommand
     private static readonly Quantity s_Length = new(
         "length", "mm", 0.5m, 1000m, ("mm", 1m), ("cm", 10m), ("m", 1000m), ("µm", 0.001m), ("um", 0.001m), ("in", 25.4m));
 
-    private static readonly Quantity s_Unit = new(
-        "length", "mm", 0.001m, 1000m, ("mm", 1m), ("cm", 10m), ("m", 1000m), ("µm", 0.001m), ("um", 0.001m), ("in", 25.4m));
+    private static readonly Quantity s_Unit = s_Length with { Least = 0.001m };
 
     private static readonly Quantity s_Mass = new(
         "mass", "mg", 0.01m, 10_000_000m, ("mg", 1m), ("g", 1000m), ("kg", 1_000_000m), ("µg", 0.001m), ("ug", 0.001m));

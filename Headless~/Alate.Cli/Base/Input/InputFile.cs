@@ -39,4 +39,15 @@ internal static class InputFile
             throw new UserException($"Cannot read '{path}': {problem.Message}");
         }
     }
+
+    /// <summary>Copies a file into a stream.</summary>
+    /// <param name="path">Its path.</param>
+    /// <param name="most">Largest size, bytes.</param>
+    /// <param name="stream">Where to.</param>
+    /// <exception cref="UserException">There is no such file, it is none to read, or it is too large.</exception>
+    public static void Copy(string path, long most, Stream stream)
+    {
+        using FileStream file = Open(path, most);
+        file.CopyTo(stream);
+    }
 }

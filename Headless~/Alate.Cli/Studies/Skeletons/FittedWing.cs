@@ -64,11 +64,7 @@ internal sealed record FittedWing : FoundWing
     {
         void Text(string name, string text) => folder.Write(name, stream => stream.Write(Encoding.UTF8.GetBytes(text)));
         Text(files.Skeleton, SkeletonJson.Write(Skeleton, m_Mesh.Origin));
-        folder.Write(files.Mesh, stream =>
-        {
-            using FileStream mesh = InputFile.Open(File, InputFile.Mesh);
-            mesh.CopyTo(stream);
-        });
+        folder.Write(files.Mesh, stream => InputFile.Copy(File, InputFile.Mesh, stream));
         if (IsTextured)
             folder.Write(files.Picture, stream => stream.Write(m_Picture.Bytes));
         Text(files.Overlay, SkeletonPicture.Draw(m_Fit));

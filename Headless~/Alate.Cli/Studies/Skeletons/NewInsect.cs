@@ -59,14 +59,7 @@ internal sealed record NewInsect(string Name, InsectDefinition Like, decimal Mas
         for (int k = 0; k < Wings.Count; k++)
             Wings[k].Wing.Write(folder, FilesOfWings[k]);
         if (BodyMesh is { } body)
-        {
-            folder.Write(BodyFile, stream =>
-            {
-                using FileStream mesh = InputFile.Open(body.File, InputFile.Mesh);
-                mesh.CopyTo(stream);
-            });
-        }
-
+            folder.Write(BodyFile, stream => InputFile.Copy(body.File, InputFile.Mesh, stream));
         folder.Write(File, stream => stream.Write(Encoding.UTF8.GetBytes(Text(hasFiles: true))));
     }
 

@@ -1,6 +1,6 @@
 namespace Alate.Cli;
 
-/// <summary>Names of the files of a traced wing, in one folder.</summary>
+/// <summary>Names of the files of a wing that was found in a picture or a mesh, in one folder.</summary>
 /// <param name="Name">Of the wing; its material has it too.</param>
 internal sealed record TracedFiles(string Name)
 {

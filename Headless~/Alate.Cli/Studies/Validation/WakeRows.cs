@@ -110,8 +110,10 @@ internal static class WakeRows
                 (double lift, double drag) = Revolve(degrees, method, 24);
                 (double fineLift, double fineDrag) = Revolve(degrees, method, 48);
                 string record = FormattableString.Invariant($"wing that revolves at {degrees}°, {by}");
-                yield return Near(record, "lift coefficient", RevolvingWing.MeasuredLift(degrees), k_Measured, k_Dickinson, lift, fineLift);
-                yield return Near(record, "drag coefficient", RevolvingWing.MeasuredDrag(degrees), k_Measured, k_Dickinson, drag, fineDrag);
+                yield return Measured(
+                    record, "lift coefficient", RevolvingWing.MeasuredLift(degrees), k_Spread, k_Dickinson, lift, fineLift);
+                yield return Measured(
+                    record, "drag coefficient", RevolvingWing.MeasuredDrag(degrees), k_Spread, k_Dickinson, drag, fineDrag);
             }
         }
 
@@ -133,9 +135,9 @@ internal static class WakeRows
             (double rms, double error) = FlappingPlate.Fly(method, attached, 24);
             (double fineRms, double fineError) = FlappingPlate.Fly(method, attached, 48);
             string record = $"ornithopter's stiff wing in a stream, {by}";
-            yield return Near(record, "root mean square of the lift, mN", FlappingPlate.MeasuredRms, k_Measured, k_Yeo, rms, fineRms);
+            yield return Measured(record, "root mean square of the lift, mN", FlappingPlate.MeasuredRms, k_Digitised, k_Yeo, rms, fineRms);
             yield return new ValidationRow(
-                record, "mean distance from the measured lift, mN", 0, k_Other, "computed: 29.1",
+                record, "mean distance from the measured lift, mN", 0, k_Other, "measured: 0, from itself; Ptera Software 29.1",
                 "no farther than Ptera Software", k_Urban, error, fineError)
             {
                 Table = ValidationTable.Wakes,
@@ -194,9 +196,16 @@ internal static class WakeRows
 
     private static ValidationRow Near(
         string record, string quantity, double value, double share, string source, double ours, double fine) =>
-        new(record, quantity, (1 - share) * value, (1 + share) * value,
-            FormattableString.Invariant($"{(source is k_Dickinson or k_Yeo ? "measured" : "theory")}: {value:0.000}"),
-            source == k_Dickinson ? k_Spread : source == k_Yeo ? k_Digitised : k_Ours, source, ours, fine)
+        Row(record, quantity, value, share, "theory", k_Ours, source, ours, fine);
+
+    private static ValidationRow Measured(
+        string record, string quantity, double value, string spread, string source, double ours, double fine) =>
+        Row(record, quantity, value, k_Measured, "measured", spread, source, ours, fine);
+
+    private static ValidationRow Row(string record, string quantity, double value, double share, string how, string spread, string source,
+        double ours, double fine) =>
+        new(record, quantity, (1 - share) * value, (1 + share) * value, FormattableString.Invariant($"{how}: {value:0.000}"), spread,
+            source, ours, fine)
         {
             Table = ValidationTable.Wakes,
         };
