@@ -36,7 +36,24 @@ namespace Alate.Tests
 
                 Assert.That(set.Distance(x, z, out double found), Is.EqualTo(nearest));
                 Assert.That(found, Is.EqualTo(along));
+                double reach = 0.2 * random.NextDouble(), within = set.Distance(x, z, out found, reach);
+                if (nearest < reach)
+                    Assert.That((within, found), Is.EqualTo((nearest, along)));
+                else
+                    Assert.That(within, Is.EqualTo(nearest).Or.GreaterThan(1e9));
             }
+        }
+
+        [Test]
+        public void AlongAFineLine_FewOfItsStrokesAreAsked()
+        {
+            var strokes = new Stroke[1000];
+            for (int k = 0; k < strokes.Length; k++)
+                strokes[k] = new Stroke(0.001 * k, 0, 0.001 * (k + 1), 0, 0.001 * k);
+            var grid = new StrokeGrid(strokes);
+
+            for (double x = 0.05; x < 0.95; x += 0.01)
+                Assert.That(grid.Around(x, 0.0005, 0.1), Has.Length.InRange(1, 12));
         }
 
         [Test]
