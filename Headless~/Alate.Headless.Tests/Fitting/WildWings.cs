@@ -13,10 +13,11 @@ namespace Alate.Tests
         /// <summary>
         /// Some of the seeds whose chains along the wing's edges cross or break another rule; of the first 1500 seeds 42 do.
         /// </summary>
-        public static readonly int[] Crossing = [54, 60, 63, 157, 163, 165, 185, 212];
+        public static readonly int[] Crossing = [54, 157, 165, 212];
 
         /// <summary>More of them.</summary>
-        public static readonly int[] MoreCrossing = [219, 220, 257, 285, 322, 348, 396, 410, 649, 687, 877, 1036, 1164, 1239, 1269, 1395];
+        public static readonly int[] MoreCrossing =
+            [60, 63, 163, 185, 219, 220, 257, 285, 322, 348, 396, 410, 649, 687, 877, 1036, 1164, 1239, 1269, 1395];
 
         public static SurfaceMesh Make(int seed, out SkeletonFitSettings hints)
         {

@@ -17,7 +17,7 @@ namespace Alate.Tests.FreeFlights
         private static readonly string[] s_Species = ["monarch", "swallowtail", "firefly", "fishfly", "painted-lichen-moth", "dragonfly"];
 
         [Test]
-        public void ARandomFlight_DoesNotTumble([Values("monarch", "firefly")] string species) => Fly(species, 1, 1);
+        public void ARandomFlight_DoesNotTumble() => Fly("monarch", 1, 1);
 
         [Test, Explicit, Category("Long")]
         public void OfTwoHundredRandomFlights_NoneTumbles([ValueSource(nameof(s_Species))] string species) => Fly(species, 200, 1000);

@@ -124,7 +124,14 @@ namespace Alate.Editor.Tests
         }
 
         [Test]
-        public void ClearEdge_IsNotCalledFaint([Values] DrawnKind kind)
+        public void ClearEdge_IsNotCalledFaint([Values(DrawnKind.Silhouette, DrawnKind.Compressed)] DrawnKind kind) => AssertClear(kind);
+
+        [Test]
+        [Explicit]
+        [Category("Long")]
+        public void ClearEdgeOfAnyPicture_IsNotCalledFaint([Values] DrawnKind kind) => AssertClear(kind);
+
+        private static void AssertClear(DrawnKind kind)
         {
             WingTrace trace = WingTracer.Trace(DrawnWing.Tailed().In(200).Draw(kind).ToPicture(), WingTracingSettings.Default);
 

@@ -31,13 +31,13 @@ namespace Alate.Tests.Play
 
         [UnityTest]
         public IEnumerator AFieldThatIsNone_IsRefused_AndToldOnce(
-            [ValueSource(nameof(s_Fields))] string field, [Values(float.NaN, 1e38f)] float value) => Refuses(field, value);
+            [ValueSource(nameof(s_Fields))] string field) => Refuses(field, float.NaN);
 
         [UnityTest]
         [Explicit]
         [Category("Long")]
-        public IEnumerator AnInfiniteField_IsRefused_AndToldOnce(
-            [ValueSource(nameof(s_Fields))] string field, [Values(float.PositiveInfinity, float.NegativeInfinity)] float value) =>
+        public IEnumerator AFieldWithoutBounds_IsRefused_AndToldOnce(
+            [ValueSource(nameof(s_Fields))] string field, [Values(1e38f, float.PositiveInfinity, float.NegativeInfinity)] float value) =>
             Refuses(field, value);
 
         private IEnumerator Refuses(string field, float value)

@@ -57,12 +57,19 @@ namespace Alate.Tests.Play.Headless
 
         [UnityTest]
         public IEnumerator WhatIsNoNumber_IsRefused([ValueSource(nameof(Components))] Type type) =>
-            CheckHolds(type, Scenes(type)[0], s_Large);
+            CheckHolds(type, Scenes(type)[0], s_Large, s_FewBad);
 
         [UnityTest]
         [Explicit]
         [Category("Long")]
-        public IEnumerator CrowdsOfMillions_HoldToo() => CheckHolds(typeof(InsectCrowd), Scenes(typeof(InsectCrowd))[0], s_Exceptions);
+        public IEnumerator WhateverIsNoNumber_IsRefused([ValueSource(nameof(Components))] Type type) =>
+            CheckHolds(type, Scenes(type)[0], s_Large, s_Bad);
+
+        [UnityTest]
+        [Explicit]
+        [Category("Long")]
+        public IEnumerator CrowdsOfMillions_HoldToo() =>
+            CheckHolds(typeof(InsectCrowd), Scenes(typeof(InsectCrowd))[0], s_Exceptions, s_Bad);
 
         // A speed of 1 while 10 s passed, and then of 2 for 10 s more, is 30 and not 40 of way.
         [UnityTest]

@@ -30,8 +30,11 @@ namespace Alate.Tests.Flight
         }
 
         // A few stretches are over before their speed is reached.
-        [Test]
-        public void Stretches_LastTheirTimeOnAverage_OrHalfOfItWhereErratic([Values(2f, 4f)] float time, [Values(0f, 1f)] float erratic)
+        [TestCase(2f, 0f)]
+        [TestCase(4f, 1f)]
+        [TestCase(2f, 1f, Explicit = true, Category = "Long")]
+        [TestCase(4f, 0f, Explicit = true, Category = "Long")]
+        public void Stretches_LastTheirTimeOnAverage_OrHalfOfItWhereErratic(float time, float erratic)
         {
             WanderSettings settings = Straight(time);
             settings.erratic = erratic;
@@ -40,8 +43,11 @@ namespace Alate.Tests.Flight
             Assert.That(4000f / stretches, Is.EqualTo(1.08f * expected).Within(0.15f * expected));
         }
 
-        [Test]
-        public void Turns_HaveTheirSpread_AndThreeTenthsMoreWhereErratic([Values(15f, 30f)] float degrees, [Values(0f, 1f)] float erratic)
+        [TestCase(15f, 0f)]
+        [TestCase(30f, 1f)]
+        [TestCase(15f, 1f, Explicit = true, Category = "Long")]
+        [TestCase(30f, 0f, Explicit = true, Category = "Long")]
+        public void Turns_HaveTheirSpread_AndThreeTenthsMoreWhereErratic(float degrees, float erratic)
         {
             WanderSettings settings = Straight(4f * (1f + erratic));
             settings.turnSpread = degrees;

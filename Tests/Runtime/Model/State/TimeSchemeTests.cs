@@ -81,19 +81,24 @@ namespace Alate.Tests
             using (var flight = new SpeciesFlight(InsectCatalogue.Find("monarch").Wings[0]))
             {
                 WingParameters parameters = of(flight);
-                double coarse = Error(flight, parameters, 24), fine = Error(flight, parameters, 96),
+                BeatPath limit = Fly(flight, parameters, k_Fine);
+                double coarse = Error(flight, parameters, 24, limit), fine = Error(flight, parameters, 96, limit),
                     order = 0.5 * Math.Log(coarse / fine, 2.0);
                 TestContext.Progress.WriteLine(FormattableString.Invariant($"24, 96 substeps: {coarse:F4}, {fine:F4} %, order {order:F2}"));
                 return order;
             }
         }
 
-        private static double Error(SpeciesFlight flight, in WingParameters parameters, int substeps)
+        private static double Error(SpeciesFlight flight, in WingParameters parameters, int substeps) =>
+            Error(flight, parameters, substeps, Fly(flight, parameters, k_Fine));
+
+        private static double Error(SpeciesFlight flight, in WingParameters parameters, int substeps, BeatPath limit) =>
+            100.0 * Fly(flight, parameters, substeps).DistanceTo(limit);
+
+        private static BeatPath Fly(SpeciesFlight flight, WingParameters parameters, int substeps)
         {
-            WingParameters coarse = parameters, fine = parameters;
-            coarse.substepsPerBeat = substeps;
-            fine.substepsPerBeat = k_Fine;
-            return 100.0 * flight.Fly(coarse, substeps, k_Beats).DistanceTo(flight.Fly(fine, k_Fine, k_Beats));
+            parameters.substepsPerBeat = substeps;
+            return flight.Fly(parameters, substeps, k_Beats);
         }
     }
 }

@@ -19,7 +19,11 @@ namespace Alate.Tests.Play
 
         private const string k_End = " at its end";
 
-        private static readonly float[] s_Bad = { float.NaN, float.PositiveInfinity, -1e30f, 1e30f };
+        /// <summary>Values that are no numbers, or beyond all ranges.</summary>
+        protected static readonly float[] s_Bad = { float.NaN, float.PositiveInfinity, -1e30f, 1e30f };
+
+        /// <summary>One of either kind.</summary>
+        protected static readonly float[] s_FewBad = { float.NaN, -1e30f };
 
         private readonly Dictionary<string, float[]> m_States = new Dictionary<string, float[]>();
         private int m_Warnings;
@@ -59,11 +63,12 @@ namespace Alate.Tests.Play
         /// Checks that numbers which are none, or beyond all ranges, leave everything finite, and warn once at most; what is beyond the end
         /// of a slider acts as its end.
         /// </summary>
-        protected IEnumerator CheckHolds(Type type, KeyedScene scene, IReadOnlyDictionary<string, string> exceptions)
+        protected IEnumerator CheckHolds(
+            Type type, KeyedScene scene, IReadOnlyDictionary<string, string> exceptions, IReadOnlyList<float> values)
         {
             var paths = SerialisedNumbers.Of(type).Where(path => !exceptions.ContainsKey($"{type.Name}.{path}")).ToList();
             var sliders = paths.Where(path => SerialisedNumbers.IsSlider(type, path) && !path.EndsWith(k_Round)).ToList();
-            foreach (float bad in s_Bad)
+            foreach (float bad in values)
             {
                 m_Warnings = 0;
                 IEnumerable<Key> keys = paths.Select(path => new Key(path, "", (_, value) => SerialisedNumbers.Beyond(value, bad)));
