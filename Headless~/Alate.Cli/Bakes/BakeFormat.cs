@@ -11,4 +11,7 @@ internal enum BakeFormat
 
     /// <summary>A glTF file with a shape a key frame.</summary>
     GltfMorph,
+
+    /// <summary>A folder with a USD file with joints and the pictures on it.</summary>
+    Usd,
 }

@@ -14,6 +14,7 @@ internal static class BakeReport
         {
             BakeFormat.GltfSkin => [Write(folder, $"{bake.Name}-skin.glb", stream => SkinGlb.Write(bake, plan.Pictures, stream))],
             BakeFormat.GltfMorph => [Write(folder, $"{bake.Name}-morph.glb", stream => MorphGlb.Write(bake, plan.Pictures, stream))],
+            BakeFormat.Usd => WriteUsd(folder, plan, bake),
             _ => WriteOpenVat(folder, plan, bake),
         };
         folder.Commit();
@@ -46,6 +47,17 @@ internal static class BakeReport
         files.Add(Write(folder, stem + "-remap_info.json", vat.WriteJson));
         files.Add(Write(folder, stem + ".glb", stream => vat.WriteMesh(plan.Pictures, stream)));
         return files.ToArray();
+    }
+
+    private static string[] WriteUsd(OutputFolder folder, BakePlan plan, InsectBake bake)
+    {
+        var materials = new UsdMaterials(bake, plan.Pictures);
+        string within = $"{bake.Name}_usd";
+        return
+        [
+            Write(folder, Path.Combine(within, bake.Name + ".usda"), stream => SkinUsd.Write(bake, materials, stream)),
+            .. materials.Files.Select(file => Write(folder, Path.Combine(within, file.File), stream => stream.Write(file.Png))),
+        ];
     }
 
     private static string Write(OutputFolder folder, string name, System.Action<Stream> write)

@@ -39,6 +39,7 @@ internal static class BakeCommand
             ["openvat"] = BakeFormat.OpenVat,
             ["gltf-skin"] = BakeFormat.GltfSkin,
             ["gltf-morph"] = BakeFormat.GltfMorph,
+            ["usd"] = BakeFormat.Usd,
         });
         Option<int?> frames = Numbers.OptionalCount(
             "--frames", "N", BakeSettings.MinFrames, BakeSettings.MaxFrames,
@@ -63,7 +64,8 @@ internal static class BakeCommand
             + $"{BakeLayout.MaxMaxSize}. [default: {BakeLayout.DefaultMaxSize}]");
         Option<InsectVariant?> variant = FlightOptions.Variant();
         var folder = new Option<string>("--out") { HelpName = "DIR", Description = "Where the files go. [default: out/bake-SPECIES]" };
-        var command = new Command("bake", "Bakes loops of an insect for other programs: OpenVAT textures, or glTF with joints or shapes.")
+        var command = new Command(
+            "bake", "Bakes loops of an insect for other programs: OpenVAT textures, glTF with joints or shapes, or USD.")
         {
             species, clips, format, frames, beats, fps, triangles, normals, size, variant, mesh, skeleton, preset, folder,
         };
@@ -140,11 +142,13 @@ internal static class BakeCommand
         + "  bake firefly --format gltf-skin --out blender\n"
         + "  bake swallowtail --clips cruise --format gltf-morph --frames 24\n"
         + "  bake monarch --format gltf-skin --fps 24 --beats-per-second 2\n"
+        + "  bake dragonfly --format usd --clips cruise,hover\n"
         + "  bake monarch --variant flight --clips hover,climb,turn-left\n"
         + "  bake --mesh wing.obj --skeleton wing.json --species firefly\n\n"
         + "Writes into the output folder:\n"
         + "  openvat     SPECIES_vat/ with SPECIES.png, SPECIES-vnrm.png, SPECIES-remap_info.json and SPECIES.glb\n"
         + "  gltf-skin   SPECIES-skin.glb, joints that turn and move the wings\n"
-        + "  gltf-morph  SPECIES-morph.glb, a shape for each frame\n\n"
+        + "  gltf-morph  SPECIES-morph.glb, a shape for each frame\n"
+        + "  usd         SPECIES_usd/ with SPECIES.usda, joints as in gltf-skin, and its pictures\n\n"
         + "Exit code: 0 when all is written, 2 for bad usage or input (nothing is written then).\n";
 }

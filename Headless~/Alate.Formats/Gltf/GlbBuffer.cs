@@ -183,10 +183,5 @@ internal sealed class GlbBuffer
         return Accessors.Count - 1;
     }
 
-    private static ushort Linear(byte value)
-    {
-        double encoded = value / 255.0;
-        double linear = encoded <= 0.04045 ? encoded / 12.92 : Math.Pow((encoded + 0.055) / 1.055, 2.4);
-        return (ushort)Math.Round(65535.0 * linear);
-    }
+    private static ushort Linear(byte value) => (ushort)Math.Round(65535.0 * FileColours.Linear(value));
 }

@@ -29,6 +29,7 @@ namespace Alate.Tests.Architecture
                     ["Png"] = [],
                     ["Sound"] = [],
                     ["Tables"] = [],
+                    ["Usd"] = [],
                 },
                 ["Alate.Drawing"] = new Dictionary<string, string[]>
                 {
@@ -70,8 +71,10 @@ namespace Alate.Tests.Architecture
                 },
                 ["Alate.Cli/Bakes"] = new Dictionary<string, string[]>
                 {
-                    ["Gltf"] = [],
-                    ["Bakes"] = ["Gltf"],
+                    ["Parts"] = [],
+                    ["Gltf"] = ["Parts"],
+                    ["Usd"] = ["Parts"],
+                    ["Bakes"] = ["Gltf", "Parts", "Usd"],
                 },
                 ["Alate.Cli/Studies"] = new Dictionary<string, string[]>
                 {

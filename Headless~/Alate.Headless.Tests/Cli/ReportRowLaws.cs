@@ -86,7 +86,7 @@ public sealed class ReportRowLaws
     [Explicit]
     [Category("Long")]
     public void Wakes_AreThoseOfTheReport() =>
-        Compare(row => Text(row, "table") == "wakes", 4,
+        Compare(row => Text(row, "table") == "wakes", 5,
             done => WakeRows.Beating(done).Concat(WakeRows.Starting(done)).Concat(WakeRows.Steady(done)).Concat(WakeRows.Revolving(done))
                 .Concat(WakeRows.Flapping(done)),
             1e-3, 1e-3, false);

@@ -99,16 +99,13 @@ internal sealed class BakeScene
         GlbWriter.Write(gltf, binary, stream);
     }
 
-    private bool IsGlass(BakedPart part) =>
-        part.HasColours && part.Triangles.Any(vertex => m_Bake.Surface.Colours[vertex].a < byte.MaxValue);
-
     private int MaterialOf(BakedPart part)
     {
         if (m_MaterialOf.TryGetValue(part, out int material))
             return material;
         material = m_Pictures.Of(part) is { } picture
             ? m_Looks.Of(picture.Png, picture.IsGlass, part.Name)
-            : m_Looks.Plain(part.HasColours, IsGlass(part), part.Name);
+            : m_Looks.Plain(part.HasColours, BakePictures.IsGlass(m_Bake, part), part.Name);
         m_MaterialOf.Add(part, material);
         return material;
     }

@@ -27,6 +27,10 @@ internal sealed class BakePictures
     /// <summary>The picture for the texture coordinates of a part; null for none.</summary>
     public WingTexture Of(BakedPart part) => m_Of.TryGetValue(part.Name, out Lazy<WingTexture> picture) ? picture.Value : null;
 
+    /// <summary>True where the colours of a part's vertices let some of it be seen through.</summary>
+    public static bool IsGlass(InsectBake bake, BakedPart part) =>
+        part.HasColours && part.Triangles.Any(vertex => bake.Surface.Colours[vertex].a < byte.MaxValue);
+
     // A part has the name of its first renderer, which says the side.
     private void Add(string wing, Func<WingTexture> make)
     {
