@@ -14,7 +14,7 @@ namespace Alate.Tests.Bakes
         [TestCase("monarch --clips cruise,Cruise", "Clip 'cruise' is asked for twice.")]
         [TestCase("monarch --clips ,",
             "No clip is asked for. Known: cruise, hover, climb, turn-left, turn-right, glide, rest, folded, bask.")]
-        [TestCase("monarch --format fbx", "--format takes openvat, gltf-skin or gltf-morph, not 'fbx'.")]
+        [TestCase("monarch --format fbx", "--format takes openvat, gltf-skin, gltf-morph or usd, not 'fbx'.")]
         [TestCase("dodo", "Unknown species 'dodo'.")]
         [TestCase("monarch --variant biological", "There is no biological monarch.")]
         [TestCase("monarch --frames 3", "--frames must lie between 4 and 240; it is 3.")]

@@ -61,7 +61,8 @@ internal sealed class BakedJoints
     }
 
     /// <summary>
-    /// Places and rotations of a joint in each frame of a clip and in its first again, as seen from the joint before it, the shorter way round.
+    /// Places and rotations of a joint in each frame of a clip and in its first again, as seen from the joint before it, the shorter
+    /// way round.
     /// </summary>
     public (List<float3> Places, List<float4> Turns) Keys(BakedClip clip, int joint)
     {
