@@ -1,5 +1,4 @@
 using System;
-using System.Linq;
 using Alate.Catalogue;
 using NUnit.Framework;
 using Unity.Collections;
@@ -191,54 +190,6 @@ namespace Alate.Tests
                 flown.world.Step(0.05f);
                 Assert.That(flown.Reading.Resets, Is.Zero);
             }
-        }
-
-        [Test]
-        public void SurroundingsBeyondReason_HarmAWing_OnlyWhileTheyLast(
-            [Values(0, 1, 2, 3, 4, 5)] int field)
-        {
-            float[] values = { 1e6f, 1e38f, -1e38f };
-            using (var twin = new FlownMonarch())
-            {
-                WingRig rig = Monarch.Rig();
-                WingSurroundings usual = Monarch.Flying(1.3f, 0f);
-                WingHandle[] wings = values.Select(_ => twin.world.Add(rig, Monarch.Parameters, usual)).ToArray();
-                rig.Release();
-                for (int step = 0; step < 105; step++)
-                {
-                    for (int k = 0; k < wings.Length; k++)
-                        twin.world.SetSurroundings(wings[k], step < 5 ? Storm(usual, field, values[k]) : usual);
-                    twin.world.Step(0.02f);
-                    foreach (WingHandle wing in wings.Append(twin.wing))
-                        Assert.That(math.all(math.isfinite(twin.world.Read(wing).JointPosition(4, 4))), $"step {step}");
-                }
-
-                Assert.That(twin.Reading.Resets, Is.Zero);
-                int[] resets = wings.Select(wing => twin.world.Read(wing).Resets).ToArray();
-                twin.world.Step(0.5f);
-                for (int k = 0; k < wings.Length; k++)
-                {
-                    WingReading reading = twin.world.Read(wings[k]);
-                    Assert.That(reading.Frequency, Is.EqualTo(twin.Reading.Frequency).Within(1e-3f), $"{values[k]}");
-                    Assert.That(math.isfinite(reading.Phase));
-                    Assert.That(reading.Resets, Is.EqualTo(resets[k]));
-                }
-            }
-        }
-
-        private static WingSurroundings Storm(WingSurroundings air, int field, float value)
-        {
-            switch (field)
-            {
-                case 0: air.wind.y = value; break;
-                case 1: air.gravity.y = value; break;
-                case 2: air.angularVelocity.x = value; break;
-                case 3: air.hinge.x = value; break;
-                case 4: air.speed = value; break;
-                default: air.angleOfAttack = value; break;
-            }
-
-            return air;
         }
 
         [Test]
