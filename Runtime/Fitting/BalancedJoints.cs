@@ -57,14 +57,7 @@ namespace Alate.Fitting
             {
                 for (int to = from + 1; to <= k_Places; to++)
                 {
-                    double most = 0.0;
-                    for (int j = 1; j < count; j++)
-                    {
-                        if (!double.IsInfinity(costs[j - 1, from]))
-                            most = Math.Max(most, costs[j, to] - costs[j - 1, from]);
-                    }
-
-                    double cost = Cost(places, from * k_Steps, to * k_Steps, k_Steps, most);
+                    double cost = Cost(places, from * k_Steps, to * k_Steps, k_Steps);
                     for (int j = 1; j < count; j++)
                     {
                         if (costs[j - 1, from] + cost >= costs[j, to])
@@ -103,26 +96,21 @@ namespace Alate.Fitting
             }
         }
 
-        // A cost above the largest that matters may be any larger one: the path is not followed to the end.
-        private static double Cost(PlanPoint[] places, int from, int to, int step, double most = double.PositiveInfinity)
+        private static double Cost(PlanPoint[] places, int from, int to, int step)
         {
+            double farthest = 0.0;
             PlanPoint start = places[from], end = places[to];
-            double share = k_LengthShare * Math.Sqrt((end - start).LengthSquared), farthest = 0.0, cost = share * share * share;
-            for (int k = from + step; k < to && cost < most; k += step)
+            for (int k = from + step; k < to; k += step)
             {
                 bool isHollow = Polygon.DoubledArea(start, places[k], end) > 0.0;
                 double weight = isHollow
                     ? k_HollowWeight
                     : Math.Min(1.0, k_RootWeight + (1.0 - k_RootWeight) * k / (k_Inner * places.Length));
-                double distance = weight * weight * PlanPoint.DistanceSquared(places[k], start, end);
-                if (distance <= farthest)
-                    continue;
-                farthest = distance;
-                double root = farthest / k_Unminded + share;
-                cost = root * root * root;
+                farthest = Math.Max(farthest, weight * weight * PlanPoint.DistanceSquared(places[k], start, end));
             }
 
-            return cost;
+            double cost = farthest / k_Unminded + k_LengthShare * Math.Sqrt((end - start).LengthSquared);
+            return cost * cost * cost;
         }
     }
 }

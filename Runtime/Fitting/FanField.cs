@@ -97,7 +97,6 @@ namespace Alate.Fitting
 
         private void SetRim(PlanPoint[] rim, double[] rimValues)
         {
-            var line = new Polyline(rim, true);
             for (int row = 0; row < Rows; row++)
             {
                 for (int column = 0; column < Columns; column++)
@@ -106,16 +105,27 @@ namespace Alate.Fitting
                     if (m_Inside[node])
                         Values[node] = k_Start;
                     else if (HasInside(column, row))
-                        Values[node] = Nearest(At(column, row), line, rimValues);
+                        Values[node] = Nearest(At(column, row), rim, rimValues);
                 }
             }
         }
 
         // The value at the rim's place closest to a point.
-        private static double Nearest(PlanPoint p, Polyline rim, double[] values)
+        private static double Nearest(PlanPoint p, PlanPoint[] rim, double[] values)
         {
-            int k = rim.NearestSegment(p, out double share), next = k + 1 < values.Length ? k + 1 : 0;
-            return values[k] + (values[next] - values[k]) * share;
+            double least = double.MaxValue, found = 0.0;
+            for (int k = 0; k < rim.Length; k++)
+            {
+                int next = k + 1 < rim.Length ? k + 1 : 0;
+                double share = PlanPoint.ClosestOnSegment(p, rim[k], rim[next]);
+                double distance = (rim[k] + (rim[next] - rim[k]) * share - p).LengthSquared;
+                if (distance >= least)
+                    continue;
+                least = distance;
+                found = values[k] + (values[next] - values[k]) * share;
+            }
+
+            return found;
         }
 
         private bool HasInside(int column, int row)
@@ -159,10 +169,7 @@ namespace Alate.Fitting
                         share * (values[node - 1] + values[node + 1] + across * (values[node - Columns] + values[node + Columns]));
                     double step = over * (mean - values[node]);
                     values[node] += step;
-                    // Math.Max would make each node wait for the one before.
-                    double size = Math.Abs(step);
-                    if (size > change)
-                        change = size;
+                    change = Math.Max(change, Math.Abs(step));
                 }
             }
 

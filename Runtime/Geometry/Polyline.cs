@@ -110,15 +110,10 @@ namespace Alate.Geometry
             share = 0.0;
             for (int k = 0; k + 1 < m_Lengths.Length; k++)
             {
-                // Along the line the distance falls by no more than the way: what begins and ends within that is no nearer.
-                double end = m_Lengths[k] + Math.Sqrt((this[k] - point).LengthSquared) - distance;
-                if (m_Lengths[k + 1] <= end)
-                {
-                    while (k + 2 < m_Lengths.Length && m_Lengths[k + 2] <= end)
-                        k++;
+                // No place of a segment lies nearer than its beginning by more than its length.
+                double reach = distance + (m_Lengths[k + 1] - m_Lengths[k]);
+                if ((this[k] - point).LengthSquared >= reach * reach)
                     continue;
-                }
-
                 double along = PlanPoint.ClosestOnSegment(point, this[k], this[k + 1]), square = (Between(k, along) - point).LengthSquared;
                 if (square < least)
                     (nearest, share, least, distance) = (k, along, square, Math.Sqrt(square));

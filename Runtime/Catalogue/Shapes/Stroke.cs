@@ -26,8 +26,8 @@ namespace Alate.Catalogue
         /// <summary>Squared distance of a place from the piece, with the distance along the polyline of the nearest point.</summary>
         public double DistanceSquared(double placeX, double placeZ, out double along)
         {
-            double fromX = placeX - x, fromZ = placeZ - z, t = Math.Min(Math.Max((fromX * dx + fromZ * dz) * m_PerLengthSquared, 0), 1);
-            double offX = fromX - t * dx, offZ = fromZ - t * dz;
+            double t = Math.Clamp(((placeX - x) * dx + (placeZ - z) * dz) * m_PerLengthSquared, 0, 1);
+            double offX = placeX - x - t * dx, offZ = placeZ - z - t * dz;
             along = start + t * length;
             return offX * offX + offZ * offZ;
         }

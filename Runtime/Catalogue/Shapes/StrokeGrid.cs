@@ -4,28 +4,29 @@ using System.Collections.Generic;
 namespace Alate.Catalogue
 {
     /// <summary>
-    /// Square cells over strokes, each divided into smaller ones; each lists the strokes that may be nearest to a place in it, in their
-    /// order. Cells are made where they are first asked for; threads may share them, as all make the same of a cell.
+    /// Square cells over strokes; each lists the strokes that may be nearest to a place in it, in their order. Threads may share it: all
+    /// find the same of a cell, and one that sees the strokes before their clearance looks at strokes that are too far.
     /// </summary>
     internal sealed class StrokeGrid
     {
-        /// <summary>Cells along the longer side, and parts along a side of each.</summary>
-        private const int k_Cells = 64, k_Parts = 8;
+        /// <summary>Cells along the longer side.</summary>
+        private const int k_Cells = 64;
 
         /// <summary>Reach of the cells beyond the strokes, as a share of the longer side.</summary>
         private const double k_Margin = 0.1;
 
-        /// <summary>Up to so many strokes a cell is not divided.</summary>
-        private const int k_Few = 3;
+        private readonly Stroke[] m_Strokes;
+        private readonly Stroke[][] m_Found;
 
-        private readonly Cell m_All;
-        private readonly Cell[] m_Cells;
+        /// <summary>[cell] Less than the distance of the nearest stroke from any place in the cell.</summary>
+        private readonly double[] m_Clearances;
+
         private readonly double m_Left, m_Low, m_Size;
         private readonly int m_Columns, m_Rows;
 
         public StrokeGrid(Stroke[] strokes)
         {
-            m_All = new Cell(strokes, double.MinValue, 0);
+            m_Strokes = strokes;
             double left = double.MaxValue, right = double.MinValue, low = double.MaxValue, high = double.MinValue;
             foreach (Stroke stroke in strokes)
             {
@@ -41,7 +42,8 @@ namespace Alate.Catalogue
             m_Size = Math.Max((Math.Max(right - left, high - low) + 2 * margin) / k_Cells, 1e-9);
             m_Columns = (int)Math.Ceiling((right + margin - m_Left) / m_Size);
             m_Rows = (int)Math.Ceiling((high + margin - m_Low) / m_Size);
-            m_Cells = new Cell[m_Columns * m_Rows];
+            m_Found = new Stroke[m_Columns * m_Rows][];
+            m_Clearances = new double[m_Found.Length];
         }
 
         /// <summary>
@@ -50,59 +52,35 @@ namespace Alate.Catalogue
         /// </summary>
         public Stroke[] Around(double x, double z, double reach)
         {
-            double across = (x - m_Left) / m_Size, up = (z - m_Low) / m_Size;
-            if (!(across >= 0 && across < m_Columns && up >= 0 && up < m_Rows))
-                return m_All.Strokes;
+            double column = Math.Floor((x - m_Left) / m_Size), row = Math.Floor((z - m_Low) / m_Size);
+            if (!(column >= 0 && column < m_Columns && row >= 0 && row < m_Rows))
+                return m_Strokes;
 
-            int column = (int)across, row = (int)up;
-            Cell cell = m_Cells[row * m_Columns + column] ??= Find(m_All, column, row, m_Size, k_Parts * k_Parts);
-            if (cell.Parts.Length == 0 || cell.Clearance >= reach)
-                return cell.Within(reach);
-            int partColumn = (int)((across - column) * k_Parts), partRow = (int)((up - row) * k_Parts);
-            Cell part = cell.Parts[partRow * k_Parts + partColumn] ??=
-                Find(cell, column * k_Parts + partColumn, row * k_Parts + partRow, m_Size / k_Parts, 0);
-            return part.Within(reach);
+            int cell = (int)row * m_Columns + (int)column;
+            Stroke[] found = m_Found[cell] ??= Find(m_Left + (column + 0.5) * m_Size, m_Low + (row + 0.5) * m_Size, out m_Clearances[cell]);
+            return m_Clearances[cell] < reach ? found : Array.Empty<Stroke>();
         }
 
         // From any place of a cell the nearest stroke is at most a cell's diagonal farther from the middle than the one nearest to that.
-        private Cell Find(Cell among, int column, int row, double size, int parts)
+        private Stroke[] Find(double middleX, double middleZ, out double clearance)
         {
-            double x = m_Left + (column + 0.5) * size, z = m_Low + (row + 0.5) * size, nearest = double.MaxValue;
-            double[] distances = new double[among.Strokes.Length];
+            double[] distances = new double[m_Strokes.Length];
+            double nearest = double.MaxValue;
             for (int k = 0; k < distances.Length; k++)
             {
-                distances[k] = Math.Sqrt(among.Strokes[k].DistanceSquared(x, z, out _));
+                distances[k] = Math.Sqrt(m_Strokes[k].DistanceSquared(middleX, middleZ, out _));
                 nearest = Math.Min(nearest, distances[k]);
             }
 
+            clearance = nearest - 0.75 * m_Size;
             var found = new List<Stroke>();
             for (int k = 0; k < distances.Length; k++)
             {
-                if (distances[k] <= nearest + 1.5 * size)
-                    found.Add(among.Strokes[k]);
+                if (distances[k] <= nearest + 1.5 * m_Size)
+                    found.Add(m_Strokes[k]);
             }
 
-            return new Cell(found.ToArray(), nearest - 0.75 * size, found.Count > k_Few ? parts : 0);
-        }
-
-        private sealed class Cell
-        {
-            public readonly Stroke[] Strokes;
-
-            /// <summary>Less than the distance of the nearest stroke from any place in the cell.</summary>
-            public readonly double Clearance;
-
-            /// <summary>Smaller cells within it, or none.</summary>
-            public readonly Cell[] Parts;
-
-            public Cell(Stroke[] strokes, double clearance, int parts)
-            {
-                Strokes = strokes;
-                Clearance = clearance;
-                Parts = parts > 0 ? new Cell[parts] : Array.Empty<Cell>();
-            }
-
-            public Stroke[] Within(double reach) => Clearance < reach ? Strokes : Array.Empty<Stroke>();
+            return found.ToArray();
         }
     }
 }

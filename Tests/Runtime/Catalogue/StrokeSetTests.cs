@@ -45,18 +45,6 @@ namespace Alate.Tests
         }
 
         [Test]
-        public void AlongAFineLine_FewOfItsStrokesAreAsked()
-        {
-            var strokes = new Stroke[1000];
-            for (int k = 0; k < strokes.Length; k++)
-                strokes[k] = new Stroke(0.001 * k, 0, 0.001 * (k + 1), 0, 0.001 * k);
-            var grid = new StrokeGrid(strokes);
-
-            for (double x = 0.05; x < 0.95; x += 0.01)
-                Assert.That(grid.Around(x, 0.0005, 0.1), Has.Length.InRange(1, 12));
-        }
-
-        [Test]
         public void ADistance_IsThatToTheNearestPointOfTheStroke()
         {
             var stroke = new Stroke(1, 0, 3, 0, 0.5);
