@@ -31,6 +31,8 @@ def play(folder, clip=None, beats_per_second=None):
     clips = info["animations"]
     if clip is not None and clip not in clips:
         raise SystemExit(f"There is no clip '{clip}' in '{folder}'; there is {', '.join(clips)}.")
+    if beats_per_second is not None and not beats_per_second > 0:
+        raise SystemExit(f"{beats_per_second} beats a second are none; any number above 0 is.")
     chosen = clips[clip or next(iter(clips))]
     path = said[0][: -len("-remap_info.json")]
     insect = _import(path + ".glb")

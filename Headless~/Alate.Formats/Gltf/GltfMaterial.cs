@@ -13,9 +13,11 @@ internal static class GltfMaterial
         ["alphaMode"] = isGlass ? "BLEND" : "OPAQUE",
         ["pbrMetallicRoughness"] = new JsonObject
         {
-            ["baseColorFactor"] = isPainted ? new JsonArray(1.0, 1.0, 1.0, 1.0) : new JsonArray(0.62, 0.57, 0.41, 1.0),
+            ["baseColorFactor"] = isPainted
+                ? new JsonArray(1.0, 1.0, 1.0, 1.0)
+                : new JsonArray(FileColours.Membrane.Red, FileColours.Membrane.Green, FileColours.Membrane.Blue, 1.0),
             ["metallicFactor"] = 0.0,
-            ["roughnessFactor"] = 0.75,
+            ["roughnessFactor"] = FileColours.Roughness,
         },
     };
 }

@@ -47,6 +47,39 @@ public sealed class BakedUsdTests : BakedFilesFixture
         }
     }
 
+    // glTF's texture coordinates begin at the top.
+    [Test]
+    public void Corners_HaveTheNormals_TextureCoordinatesAndColours_OfTheGltf()
+    {
+        UsdaFile file = Open("monarch");
+        var gltf = new GlbFile(File.ReadAllBytes(Gltf("monarch")));
+        JsonElement[] parts = [.. gltf.Root.GetProperty("meshes")[0].GetProperty("primitives").EnumerateArray()];
+        string[] meshes = file.Of("Mesh");
+        Assert.That(meshes, Has.Length.EqualTo(parts.Length));
+        int coloured = 0;
+        for (int part = 0; part < parts.Length; part++)
+        {
+            JsonElement attributes = parts[part].GetProperty("attributes");
+            int[] theirs = [.. gltf.Read(parts[part].GetProperty("indices").GetInt32()).Select(corner => (int)corner)];
+            int[] ours = [.. file.Numbers(meshes[part] + ".faceVertexIndices").Select(corner => (int)corner)];
+            bool hasColours = attributes.TryGetProperty("COLOR_0", out _);
+            Assert.That(file.Has(meshes[part] + ".primvars:displayColor"), Is.EqualTo(hasColours));
+            Assert.That(Corners(file.Numbers(meshes[part] + ".normals"), 3, ours),
+                Is.EqualTo(Corners(Of("NORMAL"), 3, theirs)).Within(1e-6));
+            Assert.That(Corners(file.Numbers(meshes[part] + ".primvars:st"), 2, ours),
+                Is.EqualTo(Corners(Of("TEXCOORD_0"), 2, theirs).Select((value, k) => k % 2 == 0 ? value : 1f - value)).Within(1e-6));
+            if (!hasColours)
+                continue;
+            coloured++;
+            float[] light = [.. Corners(Of("COLOR_0"), 4, theirs).Where((_, k) => k % 4 < 3)];
+            Assert.That(Corners(file.Numbers(meshes[part] + ".primvars:displayColor"), 3, ours), Is.EqualTo(light).Within(1e-4));
+
+            float[] Of(string name) => [.. gltf.Read(attributes.GetProperty(name).GetInt32()).Select(value => (float)value)];
+        }
+
+        Assert.That(coloured, Is.Positive);
+    }
+
     [Test]
     public void EveryPath_LeadsSomewhere_AndEveryPictureIsThere()
     {
@@ -91,7 +124,9 @@ public sealed class BakedUsdTests : BakedFilesFixture
         Assert.That(light, Is.All.InRange(0f, 1f));
         Assert.That(light.Distinct().Count(), Is.GreaterThan(3));
         Assert.That(monarch.Of("Shader").Where(shader => monarch.Has(shader + ".inputs:opacity.connect")), Is.Empty);
-        Assert.That(dragonfly.Of("Shader").Where(shader => dragonfly.Has(shader + ".inputs:opacity.connect")), Is.Not.Empty);
+        string[] seenThrough = [.. dragonfly.Of("Shader").Select(shader => dragonfly.Text(shader + ".inputs:opacity.connect"))
+            .Where(path => path != null)];
+        Assert.That(seenThrough, Is.Not.Empty.And.All.EndsWith("/colour.outputs:a>"));
         Assert.That(FileColours.Linear(0), Is.Zero);
         Assert.That(FileColours.Linear(255), Is.EqualTo(1).Within(1e-12));
         Assert.That(FileColours.Linear(188), Is.EqualTo(0.503).Within(1e-3), "half the light");
@@ -139,6 +174,9 @@ public sealed class BakedUsdTests : BakedFilesFixture
 
     private string Gltf(string species) =>
         Path.Combine(Files.Folder($"{species} {k_Clips} --format gltf-skin"), species + "-skin.glb");
+
+    private static float[] Corners(float[] numbers, int each, int[] vertices) =>
+        [.. vertices.SelectMany(vertex => numbers[(each * vertex)..(each * vertex + each)])];
 
     // Places of all corners of triangles, mesh by mesh: a vertex follows its joints by how far these are from where they were bound.
     private static float3[] Play(UsdaFile file, float[] turns, float[] places)

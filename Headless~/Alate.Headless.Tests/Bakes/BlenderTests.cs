@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using System.Diagnostics;
 using System.Globalization;
@@ -39,14 +40,15 @@ public sealed class BlenderTests : BakedFilesFixture
         Assert.That(Farthest(shown[2], rest), Is.GreaterThan(5e-3f), "it beats");
     }
 
-    [TestCase("", "glide", "There is no clip 'glide' in")]
-    [TestCase("..", null, "holds 0 files *-remap_info.json")]
+    [TestCase("", "--clip glide", "There is no clip 'glide' in")]
+    [TestCase("", "--beats-per-second 0", "0.0 beats a second are none")]
+    [TestCase("..", "", "holds 0 files *-remap_info.json")]
     [Explicit]
     [Category("Long")]
-    public void WrongInput_IsOneLine(string below, string clip, string told)
+    public void WrongInput_IsOneLine(string below, string options, string told)
     {
         string folder = Path.Combine(Files.Folder("monarch --clips cruise,hover"), "monarch_vat", below);
-        string[] chosen = clip == null ? [] : ["--clip", clip];
+        string[] chosen = options.Split(' ', StringSplitOptions.RemoveEmptyEntries);
 
         (int code, string output) = Run([Path.Combine(Scripts, "openvat.py"), "--", folder, .. chosen]).Result;
 

@@ -88,13 +88,13 @@ internal sealed class UsdMaterials
         if (isPicture || look.HasColours)
             text.Set("color3f inputs:diffuseColor.connect", $"<{path}/{k_Colour}.outputs:{(isPicture ? "rgb" : "result")}>");
         else
-            text.Set("color3f inputs:diffuseColor", UsdaWriter.Tuple(new float3(0.62f, 0.57f, 0.41f)));
+            text.Set("color3f inputs:diffuseColor", Tuple(FileColours.Membrane));
         text.Set("float inputs:metallic", "0");
         if (look.IsGlass)
         {
             text.Set("float inputs:opacity.connect", isPicture ? $"<{path}/{k_Colour}.outputs:a>" : $"<{path}/{k_Reader}.outputs:result>");
         }
-        text.Set("float inputs:roughness", "0.75");
+        text.Set("float inputs:roughness", UsdaWriter.Number(FileColours.Roughness));
         text.Declare("token outputs:surface");
         text.End();
     }
@@ -133,8 +133,11 @@ internal sealed class UsdMaterials
         return name;
     }
 
-    private static string Light(Color32 colour) => UsdaWriter.Tuple(new float3(
-        (float)FileColours.Linear(colour.r), (float)FileColours.Linear(colour.g), (float)FileColours.Linear(colour.b)));
+    private static string Light(Color32 colour) =>
+        Tuple((FileColours.Linear(colour.r), FileColours.Linear(colour.g), FileColours.Linear(colour.b)));
+
+    private static string Tuple((double Red, double Green, double Blue) light) =>
+        UsdaWriter.Tuple(new float3((float)light.Red, (float)light.Green, (float)light.Blue));
 
     /// <summary>A material: its picture, or whether its parts have colours; and whether some of it is seen through.</summary>
     private readonly record struct Look(string Name, WingTexture Picture, bool HasColours, bool IsGlass)
