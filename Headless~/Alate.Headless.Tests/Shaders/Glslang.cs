@@ -1,7 +1,5 @@
 using System;
 using System.Collections.Generic;
-using System.Diagnostics;
-using System.IO;
 using System.Linq;
 
 namespace Alate.Tests.Shaders;
@@ -12,7 +10,7 @@ namespace Alate.Tests.Shaders;
 internal static class Glslang
 {
     /// <summary>Path of the program; null where it is not installed.</summary>
-    public static string Path { get; } = Find();
+    public static string Path { get; } = InstalledProgram.Find("glslangValidator", "glslang");
 
     /// <summary>Compiles one stage of one variant.</summary>
     /// <returns>What is wrong with it; empty where nothing is.</returns>
@@ -30,25 +28,23 @@ internal static class Glslang
 
     private static string Stage(string stage) => stage == "vertex" ? "vert" : "frag";
 
+    /// <summary>Compiles one stage of one variant to SPIR-V, with places for all that goes in and out.</summary>
+    /// <exception cref="InvalidOperationException">It does not compile.</exception>
+    public static void Compile(
+        string file, string stage, string entry, IEnumerable<string> includes, IEnumerable<string> macros, string spirv)
+    {
+        string[] arguments =
+            ["-D", "-V", "--auto-map-bindings", "--auto-map-locations", "-S", Stage(stage), "-e", entry, "-o", spirv];
+        (int code, string output) = Run(arguments, includes, macros, file);
+        if (code != 0)
+            throw new InvalidOperationException(output);
+    }
+
     private static (int code, string output) Run(
         string[] arguments, IEnumerable<string> includes, IEnumerable<string> macros, string file)
     {
-        var start = new ProcessStartInfo(Path) { RedirectStandardOutput = true, RedirectStandardError = true };
         IEnumerable<string> folders = includes.Select(folder => "-I" + folder);
         IEnumerable<string> defined = macros.Select(macro => "-D" + (macro.Contains('=') ? macro : macro + "=1"));
-        foreach (string argument in arguments.Concat(folders).Concat(defined).Append(file))
-            start.ArgumentList.Add(argument);
-        using var run = Process.Start(start);
-        string output = run.StandardOutput.ReadToEnd() + run.StandardError.ReadToEnd();
-        run.WaitForExit();
-        return (run.ExitCode, output);
-    }
-
-    private static string Find()
-    {
-        string[] names = OperatingSystem.IsWindows() ? ["glslangValidator.exe", "glslang.exe"] : ["glslangValidator", "glslang"];
-        string[] folders = (Environment.GetEnvironmentVariable("PATH") ?? "")
-            .Split(System.IO.Path.PathSeparator, StringSplitOptions.RemoveEmptyEntries);
-        return folders.SelectMany(folder => names.Select(name => System.IO.Path.Combine(folder, name))).FirstOrDefault(File.Exists);
+        return InstalledProgram.Run(Path, [.. arguments, .. folders, .. defined, file]);
     }
 }

@@ -1,6 +1,5 @@
 using System;
 using System.Collections.Generic;
-using System.Diagnostics;
 using System.Linq;
 using System.Text;
 using System.Text.RegularExpressions;
@@ -46,15 +45,10 @@ internal static class VertexGlsl
 
     private static string Preprocessed(string file, IEnumerable<string> includes, IEnumerable<string> macros)
     {
-        var start = new ProcessStartInfo(Glslang.Path) { RedirectStandardOutput = true, RedirectStandardError = true };
         string[] options = ["-E", "-D", "-S", "vert", "-e", "Vertex", .. includes.Select(folder => "-I" + folder)];
         IEnumerable<string> defined = macros.Select(macro => "-D" + (macro.Contains('=') ? macro : macro + "=1"));
-        foreach (string argument in options.Concat(defined).Append(file))
-            start.ArgumentList.Add(argument);
-        using var run = Process.Start(start);
-        string text = run.StandardOutput.ReadToEnd();
-        run.WaitForExit();
-        return run.ExitCode == 0 ? Regex.Replace(text, "(?m)^#.*$", "") : throw new InvalidOperationException(text);
+        (int code, string text) = InstalledProgram.Run(Glslang.Path, [.. options, .. defined, file]);
+        return code == 0 ? Regex.Replace(text, "(?m)^#.*$", "") : throw new InvalidOperationException(text);
     }
 
     // What stands beside each other at the top: functions end with a brace, all else with a semicolon.

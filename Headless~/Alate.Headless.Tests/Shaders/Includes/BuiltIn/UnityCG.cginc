@@ -1,8 +1,10 @@
-// Names and signatures of the built-in pipeline's UnityCG.cginc, as far as Alate's shader uses them.
+// Names and signatures of the built-in pipeline's UnityCG.cginc, as far as Alate's shader uses them. What places a surface before a perspective camera and lights it
+// by a sun does so, so that pictures can be drawn with it.
 #ifndef STANDIN_UNITY_CG
 #define STANDIN_UNITY_CG
 
 #include "../Instancing.hlsl"
+#include "../Light.hlsl"
 
 #define sampler2D Texture2D
 #define sampler2D_float Texture2D
@@ -20,15 +22,16 @@ SamplerState standin_sampler;
 
 float4x4 unity_ObjectToWorld, unity_MatrixVP;
 float4 _WorldSpaceLightPos0, _LightPositionRange;
+float3 _WorldSpaceCameraPos;
 half4 unity_FogColor;
 
 float4 UnityObjectToClipPos(float3 pos) { return mul(unity_MatrixVP, mul(unity_ObjectToWorld, float4(pos, 1))); }
 float4 UnityObjectToClipPos(float4 pos) { return UnityObjectToClipPos(pos.xyz); }
-float3 UnityObjectToWorldNormal(float3 norm) { return norm; }
-float3 UnityWorldSpaceLightDir(float3 worldPos) { return _WorldSpaceLightPos0.xyz - worldPos; }
-float3 UnityWorldSpaceViewDir(float3 worldPos) { return worldPos; }
-half3 ShadeSH9(half4 normal) { return normal.xyz; }
-half3 GammaToLinearSpace(half3 sRGB) { return sRGB; }
+float3 UnityObjectToWorldNormal(float3 norm) { return normalize(StandinNormal((float3x3)unity_ObjectToWorld, norm)); }
+float3 UnityWorldSpaceLightDir(float3 worldPos) { return _WorldSpaceLightPos0.xyz - worldPos * _WorldSpaceLightPos0.w; }
+float3 UnityWorldSpaceViewDir(float3 worldPos) { return _WorldSpaceCameraPos - worldPos; }
+half3 ShadeSH9(half4 normal) { return StandinAmbient(normal.xyz); }
+half3 GammaToLinearSpace(half3 sRGB) { return StandinLinear(sRGB); }
 float4 ComputeScreenPos(float4 pos) { return pos; }
 
 #if defined(FOG_LINEAR) || defined(FOG_EXP) || defined(FOG_EXP2)

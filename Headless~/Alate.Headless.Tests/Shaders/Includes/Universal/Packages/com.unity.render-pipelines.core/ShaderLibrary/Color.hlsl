@@ -1,4 +1,5 @@
 #ifndef STANDIN_COLOR
 #define STANDIN_COLOR
-float3 SRGBToLinear(float3 c) { return c; }
+#include "../../../../Light.hlsl"
+float3 SRGBToLinear(float3 c) { return StandinLinear(c); }
 #endif

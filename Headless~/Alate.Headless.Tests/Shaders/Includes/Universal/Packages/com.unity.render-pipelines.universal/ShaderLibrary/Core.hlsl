@@ -1,8 +1,10 @@
-// Names and signatures of URP's Core.hlsl and of what it includes, as far as Alate's shader uses them. STANDIN_URP is the version: 1400, 1700 or 1701.
+// Names and signatures of URP's Core.hlsl and of what it includes, as far as Alate's shader uses them. STANDIN_URP is the version: 1400, 1700 or 1701. What places a
+// surface before a perspective camera does so, so that pictures can be drawn with it.
 #ifndef STANDIN_CORE
 #define STANDIN_CORE
 
 #include "../../../../Instancing.hlsl"
+#include "../../../../Light.hlsl"
 
 #if STANDIN_URP >= 1701
     // URP defines this keyword's macros then, but warns in every project.
@@ -67,6 +69,7 @@ UNITY_INSTANCING_BUFFER_END(unity_Builtins3)
 #define UNITY_PREV_MATRIX_M unity_MatrixPreviousM
 #endif
 float4 unity_FogColor;
+float3 _WorldSpaceCameraPos;
 
 struct InputData
 {
@@ -85,11 +88,20 @@ struct InputData
 float3 TransformObjectToWorld(float3 positionOS) { return mul(UNITY_MATRIX_M, float4(positionOS, 1)).xyz; }
 float4 TransformWorldToHClip(float3 positionWS) { return mul(unity_MatrixVP, float4(positionWS, 1)); }
 float4 TransformObjectToHClip(float3 positionOS) { return TransformWorldToHClip(TransformObjectToWorld(positionOS)); }
-float3 TransformObjectToWorldNormal(float3 normalOS, bool doNormalize = true) { return normalOS; }
-float3 GetWorldSpaceNormalizeViewDir(float3 positionWS) { return positionWS; }
+float3 TransformObjectToWorldNormal(float3 normalOS, bool doNormalize = true)
+{
+    float3 normal = StandinNormal((float3x3)UNITY_MATRIX_M, normalOS);
+    return doNormalize ? normalize(normal) : normal;
+}
+float3 GetWorldSpaceNormalizeViewDir(float3 positionWS) { return normalize(_WorldSpaceCameraPos - positionWS); }
 uint GetMeshRenderingLayer() { return asuint(unity_RenderingLayer.x); }
 float2 GetNormalizedScreenSpaceUV(float4 positionCS) { return positionCS.xy; }
+#if defined(FOG_LINEAR) || defined(FOG_EXP) || defined(FOG_EXP2)
 float ComputeFogFactor(float zPositionCS) { return zPositionCS; }
 float3 MixFogColor(float3 fragColor, float3 fogColor, float fogFactor) { return lerp(fogColor, fragColor, fogFactor); }
+#else
+float ComputeFogFactor(float zPositionCS) { return 0; }
+float3 MixFogColor(float3 fragColor, float3 fogColor, float fogFactor) { return fragColor; }
+#endif
 
 #endif

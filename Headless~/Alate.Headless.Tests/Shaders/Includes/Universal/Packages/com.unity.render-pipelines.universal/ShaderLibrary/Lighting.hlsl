@@ -27,13 +27,13 @@ bool ClusterNext(inout ClusterIterator i, out uint entityIndex) { entityIndex = 
 #define LIGHT_LOOP_END }
 #endif
 
-float4 _MainLightPosition, _AdditionalLightsCount;
+float4 _MainLightPosition, _MainLightColor, _AdditionalLightsCount;
 
 Light GetMainLight()
 {
     Light light;
     light.direction = _MainLightPosition.xyz;
-    light.color = 1;
+    light.color = _MainLightColor.rgb;
     light.distanceAttenuation = 1;
     light.shadowAttenuation = 1;
     light.layerMask = 1;
@@ -46,6 +46,6 @@ int GetAdditionalLightsCount() { return (int)_AdditionalLightsCount.x; }
 #if defined(_LIGHT_LAYERS)
 bool IsMatchingLightLayer(uint lightLayers, uint renderingLayers) { return (lightLayers & renderingLayers) != 0; }
 #endif
-half3 SampleSH(float3 normalWS) { return normalWS; }
+half3 SampleSH(float3 normalWS) { return StandinAmbient(normalWS); }
 
 #endif
