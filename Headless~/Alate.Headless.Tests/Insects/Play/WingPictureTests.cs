@@ -64,7 +64,8 @@ public sealed class WingPictureTests : CrowdFixture
         Assert.That(surfaces, Has.Length.GreaterThan(2));
         var pictures = new WebPictures();
         int[] programs = [pictures.Add(WebStages.Of(false)), pictures.Add(WebStages.Of(true))];
-        SheetView[] views = Array.ConvertAll(s_Sides, side => SheetView.Of(surfaces, s_Size, side.Aside, side.Above, side.IsAgainstTheLight));
+        SheetView[] views = Array.ConvertAll(
+            s_Sides, side => SheetView.Of(surfaces, s_Size, side.Aside, side.Above, side.IsAgainstTheLight));
         foreach (SheetView view in views)
         {
             foreach (int program in programs)
@@ -146,7 +147,8 @@ public sealed class WingPictureTests : CrowdFixture
     {
         (double off, double brighter, double together) = Compare(drawn, wanted);
         TestContext.Progress.WriteLine(
-            $"{TestContext.CurrentContext.Test.Name}, {what}: {100.0 * off:F2} % off, {100.0 * brighter:F2} % brighter, {together:F4} together");
+            $"{TestContext.CurrentContext.Test.Name}, {what}: {100.0 * off:F2} % off, {100.0 * brighter:F2} % brighter, "
+            + $"{together:F4} together");
         Assert.That(off, Is.LessThan(difference), $"{what}: mean difference over the range, inside the outline");
         Assert.That(brighter, Is.EqualTo(0.0).Within(0.4 * difference), $"{what}: mean of the differences, with their signs");
         Assert.That(together, Is.GreaterThan(correlation), $"{what}: correlation inside the outline");

@@ -94,8 +94,9 @@ internal static class PaintedPicture
         public static ReducedTexture Of(LitSurface surface, float2[] seen)
         {
             Texture2D texture = surface.Texture;
-            var reduced = new ReducedTexture(texture.width, texture.height, Array.ConvertAll(
-                texture.GetPixels32(), pixel => new float4(LitSurface.Linear(new float3(pixel.r, pixel.g, pixel.b) / 255f), pixel.a / 255f)));
+            float4[] pixels = Array.ConvertAll(texture.GetPixels32(), pixel =>
+                new float4(LitSurface.Linear(new float3(pixel.r, pixel.g, pixel.b) / 255f), pixel.a / 255f));
+            var reduced = new ReducedTexture(texture.width, texture.height, pixels);
             double samples = 0.0, texels = 0.0;
             for (int k = 0; k < surface.Triangles.Length; k += 3)
             {
