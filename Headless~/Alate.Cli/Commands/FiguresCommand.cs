@@ -11,7 +11,7 @@ internal static class FiguresCommand
         k_Wake = "images/wake-monarch.png", k_OwnFilm = "images/mymoth-film.png";
 
     /// <summary>Pixels of the picture of all insects.</summary>
-    internal const int GalleryWidth = 1230;
+    internal const int GalleryWidth = 1000;
 
     private const string k_Hero = "monarch";
     private const int k_Phases = 3;
@@ -129,10 +129,10 @@ internal static class FiguresCommand
         folder.Write(k_Gallery, stream => stream.Write(Gallery.Draw(GalleryWidth)));
         stage("comparing");
         foreach (Comparison comparison in Comparison.Fly(Comparisons, _ => { }))
-            folder.Write(Compared(comparison.Plan.Species), stream => stream.Write(ComparisonPicture.Draw(comparison)));
+            folder.Write(Compared(comparison.Plan.Species), stream => stream.Write(ComparisonPicture.Compose(comparison).Write(isSmall: true)));
         stage("sweeping");
         var swept = Sweep.Fly(SweptElasticity, _ => { });
-        folder.Write(k_Sweep, stream => stream.Write(SweepPicture.DrawPoses(swept)));
+        folder.Write(k_Sweep, stream => stream.Write(SweepPicture.Compose(swept).Write(isSmall: true)));
         Write(folder, k_SweepCharts, SweepPicture.DrawCharts(swept));
         Write(folder, k_Veins, VeinFigure.Draw());
         using (var wake = WakeFlight.Smooth(TetheredFlight.Fly(WakeFigures.Flown), new WakePlan()))

@@ -109,7 +109,7 @@ internal static class FilmCommand
             stage("writing");
             folder.Write(k_Film, stream => stream.Write(film.Animation(frames)));
             byte[][] files = Concurrently.Map(
-                frames, 8L * film.Size.x * film.Size.y, frame => IndexedPng.Write(film.Size.x, film.Size.y, frame, []));
+                frames, 8L * film.Size.x * film.Size.y, frame => TrueColourPng.Write(film.Size.x, film.Size.y, frame, []));
             for (int k = 0; k < count; k++)
                 folder.Write(Path.Combine("frames", $"{k + 1:0000}.png"), stream => stream.Write(files[k]));
             byte[] sound = plan.SoundFile == null ? null : Heard(film);

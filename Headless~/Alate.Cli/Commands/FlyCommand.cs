@@ -116,6 +116,6 @@ internal static class FlyCommand
         + "  spanwise.csv  lift, drag, moment and angle of attack over span and phase\n"
         + "  joints.csv    every joint of the skeleton over that beat, metres\n"
         + "  summary.json  frequency, twist, camber, bend, lag, stretch, lift, cost, and the whole run for --from\n"
-        + "With --free: trajectory.csv, forces.csv, path.png (from above and from the side), flight.glb.\n\n"
+        + "With --free: trajectory.csv, forces.csv, path.png (from above, height over distance, one beat's bob), flight.glb.\n\n"
         + "Exit code: 0 when all is written, 2 for bad usage or input (nothing is written then).\n";
 }

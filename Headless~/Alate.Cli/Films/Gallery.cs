@@ -5,8 +5,7 @@ namespace Alate.Cli;
 /// <summary>Insects in flight, in one picture: those of the catalogue, or others.</summary>
 internal static class Gallery
 {
-    private const int k_Columns = 3;
-    private const float k_HeightOverWidth = 0.8f, k_InsetOverWidth = 0.045f;
+    private const float k_HeightOverWidth = 0.72f, k_GapOverWidth = 0.03f, k_Inset = 2f;
 
     /// <summary>
     /// Phases and views that are chosen by eye, because they show how the wings flex. Other species of the catalogue follow in
@@ -26,29 +25,32 @@ internal static class Gallery
         .Concat(InsectCatalogue.Names.Except(s_Chosen.Select(one => one.Species))).Select(InsectCatalogue.Find).ToArray();
 
     /// <summary>The picture as a PNG file.</summary>
-    /// <param name="width">About its width, pixels.</param>
+    /// <param name="width">Its width, pixels.</param>
     /// <param name="hasWake">True where the vortex rings that the wings leave are shown.</param>
     /// <param name="insects">In their order; null for all of the catalogue.</param>
     public static byte[] Draw(int width, bool hasWake = false, IReadOnlyList<InsectDefinition> insects = null)
     {
         insects ??= s_Catalogue;
-        int columns = Math.Min(k_Columns, insects.Count);
-        int column = width / columns, row = (int)(k_HeightOverWidth * column);
-        int rows = (insects.Count + columns - 1) / columns;
-        var picture = new Color32[columns * column * rows * row];
+        (PhotoScene Scene, Pose Pose)[] photos = [.. insects.Select(insect => Photo(insect, hasWake))];
+        var rows = new JustifiedRows([.. photos.Select(photo => Aspect(photo.Pose))], width, k_GapOverWidth * width, k_HeightOverWidth);
+        int height = (int)math.ceil(rows.Height);
+        var picture = new Color32[width * height];
         Array.Fill(picture, Paper());
-        // The last row stands in the middle.
-        int aside = (rows * columns - insects.Count) * column / 2;
-        for (int k = 0; k < insects.Count; k++)
+        for (int k = 0; k < photos.Length; k++)
         {
-            Color32[] pixels = Photo(insects[k], new int2(column, row), hasWake);
-            int left = k % columns * column + (k / columns == rows - 1 ? aside : 0);
-            for (int y = 0; y < row; y++)
-                Array.Copy(pixels, y * column, picture, (k / columns * row + y) * columns * column + left, column);
+            (int2 corner, int2 size) = ((int2)math.round(rows[k].Corner), (int2)math.floor(rows[k].Size));
+            Color32[] pixels = photos[k].Scene.Draw(photos[k].Pose, StripPanel.Around(photos[k].Pose, size, k_Inset), 1f);
+            for (int y = 0; y < size.y; y++)
+                Array.Copy(pixels, y * size.x, picture, (corner.y + y) * width + corner.x, size.x);
         }
 
-        return IndexedPng.Write(
-            columns * column, rows * row, picture, insects.Select(insect => insect.DisplayName));
+        return TrueColourPng.Write(width, height, picture, insects.Select(insect => insect.DisplayName));
+    }
+
+    private static float Aspect(Pose pose)
+    {
+        (float2 min, float2 max) = pose.Bounds();
+        return (max.x - min.x) / (max.y - min.y);
     }
 
     private static Color32 Paper()
@@ -59,7 +61,7 @@ internal static class Gallery
 
     private static Exhibit Other(string species) => new(species, 0.25, 38f, 30f);
 
-    private static Color32[] Photo(InsectDefinition species, int2 size, bool hasWake)
+    private static (PhotoScene Scene, Pose Pose) Photo(InsectDefinition species, bool hasWake)
     {
         Exhibit exhibit = Array.Find(s_Chosen, one => one.Species == species.Name);
         exhibit = exhibit.Species == null ? Other(species.Name) : exhibit;
@@ -73,8 +75,7 @@ internal static class Gallery
             scene = new WakePhoto(wake).AddTo(scene, exhibit.Turns);
         }
 
-        Pose pose = scene.PoseAt(exhibit.Turns);
-        return scene.Draw(pose, StripPanel.Around(pose, size, k_InsetOverWidth * size.x), 1f);
+        return (scene, scene.PoseAt(exhibit.Turns));
     }
 
     /// <summary>One species.</summary>

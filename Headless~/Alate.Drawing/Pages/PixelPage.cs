@@ -24,6 +24,20 @@ internal sealed class PixelPage
     /// <summary>Places of the photos, in order.</summary>
     public IReadOnlyList<StripPanel> Panels => m_Photos.ConvertAll(photo => photo.Panel);
 
+    /// <summary>Adds a ring.</summary>
+    public void Ring(float2 middle, float radius, int rgb, float thickness = 1f)
+    {
+        const int k_Corners = 24;
+        Stroke([.. Enumerable.Range(0, k_Corners + 1).Select(k =>
+        {
+            math.sincos(k * 2f * math.PI / k_Corners, out float sine, out float cosine);
+            return middle + radius * new float2(cosine, sine);
+        })], rgb, thickness);
+    }
+
+    /// <summary>Lines and the strokes of words, in order: their points, colours and half widths.</summary>
+    public IReadOnlyList<(float2[] Points, float Pen, float3 Colour)> Strokes => m_Strokes;
+
     /// <summary>Width and height, units.</summary>
     public float2 Size { get; private set; }
 
@@ -51,7 +65,11 @@ internal sealed class PixelPage
 
     /// <summary>Adds a straight line.</summary>
     public void Line(float x1, float y1, float x2, float y2, int rgb, float thickness = 1f) =>
-        m_Strokes.Add(([new float2(x1, y1), new float2(x2, y2)], 0.5f * thickness, Shading.Colour(rgb)));
+        Stroke([new float2(x1, y1), new float2(x2, y2)], rgb, thickness);
+
+    /// <summary>Adds a line through points.</summary>
+    public void Stroke(float2[] points, int rgb, float thickness = 1f) =>
+        m_Strokes.Add((points, 0.5f * thickness, Shading.Colour(rgb)));
 
     /// <summary>The whole file.</summary>
     /// <param name="width">Units of the picture.</param>
@@ -68,10 +86,13 @@ internal sealed class PixelPage
     }
 
     /// <summary>The whole file of a picture that has its size.</summary>
-    public byte[] Write()
+    /// <param name="isSmall">True for 255 colours, in half the bytes, where pages hold many pictures.</param>
+    public byte[] Write(bool isSmall = false)
     {
         var size = (int2)math.round(Fineness * Size);
-        return IndexedPng.Write(size.x, size.y, Draw(size), [Title, .. Texts]);
+        string[] texts = [Title, .. Texts];
+        return isSmall ? IndexedPng.Write(size.x, size.y, [Draw(size)], 1, true, texts)
+            : TrueColourPng.Write(size.x, size.y, Draw(size), texts);
     }
 
     /// <summary>The pixels, rows from above.</summary>

@@ -4,19 +4,11 @@ using UnityEngine;
 
 namespace Alate.Formats;
 
-/// <summary>Writes pictures of 255 colours as PNG files, one picture or several as an animation (APNG, the third edition of PNG).</summary>
+/// <summary>Writes films and small pictures of 255 colours as PNG files, films as animated ones (APNG, the third edition of PNG).</summary>
 internal static class IndexedPng
 {
     private const byte k_Indexed = 3, k_BlendOver = 1;
     private const int k_Colours = 255;
-
-    /// <summary>A picture.</summary>
-    /// <param name="width">Pixels in a row.</param>
-    /// <param name="height">Rows.</param>
-    /// <param name="pixels">Rows from above; opaque.</param>
-    /// <param name="texts">What is written in it, for those who do not see it.</param>
-    public static byte[] Write(int width, int height, Color32[] pixels, IEnumerable<string> texts) =>
-        Write(width, height, [pixels], 1, true, texts);
 
     /// <summary>An animation; a single frame is a still picture.</summary>
     /// <param name="width">Pixels in a row.</param>
@@ -31,9 +23,7 @@ internal static class IndexedPng
         using var file = new MemoryStream();
         file.Write(PngChunks.Signature);
         PngChunks.Write(file, "IHDR", PngChunks.Header(width, height, 8, k_Indexed));
-        string description = string.Join('\n', texts);
-        if (description.Length > 0)
-            PngChunks.Write(file, "iTXt", [.. "Description\0\0\0\0\0"u8, .. Encoding.UTF8.GetBytes(description)]);
+        PngChunks.WriteTexts(file, texts);
         // Entry 0 is see-through: where a frame is as the one before.
         PngChunks.Write(file, "PLTE", [0, 0, 0, .. table.Colours.SelectMany(colour => new[] { colour.r, colour.g, colour.b })]);
         PngChunks.Write(file, "tRNS", [0]);

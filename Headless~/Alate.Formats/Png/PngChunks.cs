@@ -21,6 +21,14 @@ internal static class PngChunks
         stream.Write(chunk);
     }
 
+    /// <summary>Writes what a picture says in words, for those who do not see it; nothing where it says nothing.</summary>
+    public static void WriteTexts(Stream stream, IEnumerable<string> texts)
+    {
+        string description = string.Join('\n', texts);
+        if (description.Length > 0)
+            Write(stream, "iTXt", [.. "Description\0\0\0\0\0"u8, .. Encoding.UTF8.GetBytes(description)]);
+    }
+
     /// <summary>Content of the header.</summary>
     /// <param name="width">Pixels in a row.</param>
     /// <param name="height">Rows.</param>

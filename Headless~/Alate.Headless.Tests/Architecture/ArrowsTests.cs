@@ -87,7 +87,7 @@ namespace Alate.Tests.Architecture
 
             Assert.That(
                 Rooms.BetweenAssemblies(assemblies).Select(violation => violation.ToString()),
-                Has.Member("Headless~/Alate.Drawing/Pages/PixelPage.cs: PixelPage uses IndexedPng; there is no arrow Alate.Drawing "
+                Has.Member("Headless~/Alate.Drawing/Pages/PixelPage.cs: PixelPage uses TrueColourPng; there is no arrow Alate.Drawing "
                     + "-> Alate.Formats"));
             foreach (string assembly in new[] { "Alate.Formats", "Alate.Drawing" })
             {

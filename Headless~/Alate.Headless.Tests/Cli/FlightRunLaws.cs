@@ -144,7 +144,7 @@ public sealed class FlightRunLaws
         var picture = PngFile.Read(drawn);
         Assert.That(picture.Width, Is.EqualTo(1140));
         // The ramp: 220 of 760 units, 26 from the right edge, at 50 from above; five colours and the straight ways between.
-        int[] stops = [0xf4efdf, 0xf2c14e, 0xe4572e, 0x7b1e3a, 0x230a2b];
+        int[] stops = [0xc4d6e4, 0xf2c14e, 0xe4572e, 0x7b1e3a, 0x230a2b];
         for (int k = 2; k < 328; k += 9)
         {
             double at = 4.0 * (k + 0.5) / 330.0;

@@ -106,40 +106,6 @@ public sealed class FreeFlightLaws
     public void AFlight_HasAStepForAllOfItsTime_AndNoneForRounding(double seconds, double step, int steps) =>
         Assert.That(new FreePlan { Seconds = seconds, Step = step }.Steps, Is.EqualTo(steps));
 
-    // A way ahead and up, from 1 to 3 metres and half of that up: in the picture from above it leads up, from the side to the right.
-    [Test]
-    public void ThePictureOfAWay_IsAboveAndFromTheSide_InOneScale_WithAllOfTheWay()
-    {
-        FlightRecord beat = MonarchFlight.Level;
-        FreeMoment[] moments =
-        [
-            .. Enumerable.Range(0, 201).Select(k => new FreeMoment(0.02 * k, new float3(0f, 0.005f * k, 1f + 0.01f * k),
-                quaternion.identity, 0f, 0f, 0f, 0f,
-                0.3 * k % (2 * Math.PI), 10, 1, 0f, 0f, 0, 0, FlightState.Flying)),
-        ];
-        byte[] drawn = PathPicture.Draw(new FreeRecord(InsectCatalogue.Find("monarch"), moments, 0f, 1, beat), out float factor);
-        var picture = PngFile.Read(drawn);
-        double reach = beat.Wings.Max(wing => math.length(wing.Placement.Hinge) + wing.Placement.Length);
-
-        Assert.That(factor, Is.EqualTo(0.16 * 2.0 / reach).Within(0.1).Percent, "an insect is 0.16 of the largest extent");
-        Assert.That((picture.Width, picture.Height), Is.EqualTo((1400, 1400)));
-        // Dots of the way, and a little of the insects beyond its ends: a warm grey, in the panel's middle column or along its diagonal.
-        (int X, int Y)[] dots = [.. Enumerable.Range(0,
-            picture.Pixels.Length).Where(k => IsDot(picture.Pixels[k])).Select(k => (k % 1400, k / 1400))];
-        (int X, int Y)[] above = [.. dots.Where(dot => dot.Y is > 60 and < 620 && Math.Abs(dot.X - 700) < 3)];
-        // 2 m and 0.32 of it on both sides fill 8 tenths of 700 pixels.
-        double scale = 700 * 0.8 / (2 + 0.32 * 2);
-        Assert.That(above.Min(dot => dot.Y), Is.EqualTo(350 - scale).Within(30), "ahead is up, and the insects are drawn over the way");
-        Assert.That(above.Max(dot => dot.Y), Is.EqualTo(350 + scale).Within(30));
-        // From the side: 2 m across and 1 m up; 1400 pixels are enough for both.
-        double side = Math.Min(1400 * 0.8 / (2 + 0.64), 700 * 0.8 / (1 + 0.64));
-        (int X, int Y)[] beside = [.. dots.Where(dot => dot.Y > 760 && Math.Abs((dot.X - 700) / side + 2 * (dot.Y - 1050) / side) < 0.02)];
-        Assert.That(beside.Min(dot => dot.X), Is.EqualTo(700 - side).Within(30));
-        Assert.That(beside.Max(dot => dot.X), Is.EqualTo(700 + side).Within(30), "up to the right");
-
-        static bool IsDot(UnityEngine.Color32 pixel) => pixel.r is > 120 and < 175 && pixel.r - pixel.b is > 0 and < 40;
-    }
-
     // The camera goes with the mean of a beat, from half a beat before to half a beat behind.
     [Test]
     public void TheCameraOfAFreeFilm_IsAtTheMeanOfABeat_AndABeatIsLeftBehindTheFilm()

@@ -2,41 +2,14 @@ using System;
 using System.Linq;
 using Alate.Catalogue;
 using Alate.Cli;
-using Alate.Drawing;
 using NUnit.Framework;
 using Unity.Mathematics;
-using UnityEngine;
 
 namespace Alate.Tests.Cli;
 
-/// <summary>Scale bars of pictures of paths, and the frames of a film of a free flight.</summary>
+/// <summary>Frames of a film of a free flight.</summary>
 public sealed class FreePictureTests
 {
-    private static readonly Color32 s_Ink = new(0x33, 0x33, 0x33, 0xff);
-
-    // A sixth of 1,200 pixels is 200: bars of 1, 2 or 5 times a power of ten, at most as long.
-    [TestCase(100f, 200)]
-    [TestCase(160f, 160)]
-    [TestCase(250f, 125)]
-    [TestCase(41f, 82)]
-    [TestCase(0.05f, 100)]
-    public void AScaleBar_IsOfARoundLength_AboutASixthOfTheWidth(float pixelsPerMetre, int bar)
-    {
-        Color32[] pixels = Enumerable.Repeat(new Color32(255, 255, 255, 255), 1200 * 300).ToArray();
-        new PathLabels(pixels, 1200).Scale(pixelsPerMetre);
-        int[] rows = Enumerable.Range(0, 300)
-            .Where(row => Enumerable.Range(24, 4).All(x => pixels[row * 1200 + x].Equals(s_Ink))).ToArray();
-        int lowest = rows.Max();
-
-        Assert.That(lowest, Is.EqualTo(300 - 24 - 1), "above the margin");
-        Assert.That(Enumerable.Range(0, 1200).Count(x => pixels[lowest * 1200 + x].Equals(s_Ink)), Is.EqualTo(bar));
-        Assert.That(Enumerable.Range(0, 1200).First(x => pixels[lowest * 1200 + x].Equals(s_Ink)), Is.EqualTo(24));
-        int end = lowest - 8;
-        Assert.That(Enumerable.Range(0, 1200).Where(x => pixels[end * 1200 + x].Equals(s_Ink)),
-            Is.EqualTo(Enumerable.Range(24, 4).Concat(Enumerable.Range(24 + bar - 4, 4))), "ends stand up");
-        Assert.That(pixels.Take(1200 * 240).Any(pixel => !pixel.Equals(new Color32(255, 255, 255, 255))), Is.True, "a label above it");
-    }
-
     [Test]
     public void AFilmOfAFreeFlight_LooksAheadInItsMiddle_AndItsTrailIsWhereTheInsectWas()
     {

@@ -19,7 +19,7 @@ namespace Alate.Tests.Cli
         public void FewColours_AreKeptAsTheyAre()
         {
             Color32[] pixels = Picture((x, y) => new Color32((byte)(x / 4 * 25), (byte)(y / 8 * 80), 7, 255));
-            var read = PngFile.Read(IndexedPng.Write(k_Width, k_Height, pixels, []));
+            var read = PngFile.Read(IndexedPng.Write(k_Width, k_Height, [pixels], 1, true, []));
 
             Assert.That(read.Width, Is.EqualTo(k_Width));
             Assert.That(read.Height, Is.EqualTo(k_Height));
@@ -30,7 +30,7 @@ namespace Alate.Tests.Cli
         public void ManyColours_StayNear_AndInTheMeanTheSame()
         {
             Color32[] pixels = Picture((x, y) => new Color32((byte)(6 * x), (byte)(10 * y), (byte)(3 * x + 5 * y), 255));
-            Color32[] read = PngFile.Read(IndexedPng.Write(k_Width, k_Height, pixels, [])).Pixels;
+            Color32[] read = PngFile.Read(IndexedPng.Write(k_Width, k_Height, [pixels], 1, true, [])).Pixels;
 
             Assert.That(read.Distinct().Count(), Is.LessThanOrEqualTo(255));
             for (int k = 0; k < pixels.Length; k++)

@@ -156,68 +156,23 @@ public sealed class LetteringLaws
     [TestCase(10000f, "1 cm", 100)]
     [TestCase(10200f, "5 mm", 51)]
     [TestCase(20000f, "5 mm", 100)]
-    public void AScaleBar_IsABarWithTwoEnds_AndItsLengthAbove(float pixelsPerMetre, string told, int bar)
+    [TestCase(0.05f, "2000 m", 100)]
+    public void AScaleBar_IsABarWithTwoEnds_AndItsLengthAbove(float unitsPerMetre, string told, int bar)
     {
-        const int k_Width = 600, k_Height = 200, k_Left = 24, k_Below = k_Height - 24;
-        Color32[] drawn = Blank(k_Width * k_Height), title = Blank(k_Width * k_Height);
-        new PathLabels(drawn, k_Width).Scale(pixelsPerMetre);
-        new PathLabels(title, k_Width).Title(told);
-        Color32 ink = drawn[(k_Below - 1) * k_Width + k_Left];
-        Assert.That((ink.r == ink.g, ink.g == ink.b, ink.r < 80, ink.a), Is.EqualTo((true, true, true, byte.MaxValue)), "dark grey");
-        int wrong = 0;
-        for (int k = 0; k < drawn.Length; k++)
-        {
-            int x = k % k_Width, y = k / k_Width, along = x - k_Left;
-            bool isBar = along >= 0 && along < bar && y >= k_Below - 4 && y < k_Below;
-            bool isEnd = (along is >= 0 and < 4 || along >= bar - 4 && along < bar) && y >= k_Below - 12 && y < k_Below - 4;
-            // Words stand on a line 26 below the margin, or 24 above the bar's lower edge.
-            int from = y - (k_Below - 24) + 50;
-            Color32 expected = isBar || isEnd ? ink : y < k_Below - 12 && from is >= 0 and < k_Height ? title[from * k_Width + x]
-                : drawn[0];
-            wrong += drawn[k].Equals(expected) ? 0 : 1;
-        }
+        var page = new PixelPage();
+        var corner = new float2(24f, 176f);
+        ScaleBar.Draw(page, corner, unitsPerMetre, 600f);
+        float2[] line = page.Strokes[0].Points;
 
-        Assert.That(wrong, Is.Zero);
+        Assert.That(line, Has.Length.EqualTo(4));
+        Assert.That(math.distance(line[1], corner), Is.LessThan(1e-3f));
+        Assert.That(math.distance(line[2], corner + new float2(bar, 0f)), Is.LessThan(0.01f));
+        Assert.That((line[0].x, line[3].x), Is.EqualTo((line[1].x, line[2].x)), "ends stand up");
+        Assert.That((line[0].y, line[3].y), Is.EqualTo((corner.y - 7f, corner.y - 7f)));
+        Assert.That(page.Texts, Is.EqualTo(new[] { told }));
+        Assert.That(page.Words[0].At.x, Is.EqualTo(corner.x));
+        Assert.That(page.Words[0].At.y, Is.InRange(corner.y - 20f, corner.y - 8f), "above the bar");
     }
-
-    [Test]
-    public void ATitle_StandsInTheUpperLeftCorner_WithinTheMargin()
-    {
-        const int k_Width = 200;
-        Color32[] drawn = Blank(k_Width * 100);
-        new PathLabels(drawn, k_Width).Title("H");
-        int[] ink = [.. Enumerable.Range(0, drawn.Length).Where(k => drawn[k].r < 200)];
-
-        // A capital of 0.72 times 26 pixels on a line that is a letter's size below the margin.
-        Assert.That(ink.Min(k => k % k_Width), Is.EqualTo(23).Within(1));
-        Assert.That(ink.Max(k => k / k_Width), Is.EqualTo(50).Within(1));
-        Assert.That(ink.Min(k => k / k_Width), Is.EqualTo(50 - 0.72 * 26.0 - 1.0).Within(1.1));
-    }
-
-    [Test]
-    public void WordsOverAPicture_LeaveItsPixelsBelow()
-    {
-        const int k_Width = 200;
-        var random = new System.Random(6);
-        Color32[] bright = Blank(k_Width * 100), dim = [.. bright.Select(_ => new Color32(120, 190, 60, 255))];
-        bool[] isDim = [.. bright.Select(_ => random.Next(2) == 0)];
-        Color32[] mixed = [.. isDim.Select((below, k) => below ? dim[k] : bright[k])];
-        foreach (Color32[] picture in new[] { bright, dim, mixed })
-            new PathLabels(picture, k_Width).Title("Ox");
-
-        Assert.That(mixed, Is.EqualTo(isDim.Select((below, k) => below ? dim[k] : bright[k])));
-    }
-
-    // What lies beyond a small picture is cut off.
-    [Test]
-    public void AScaleBar_OnATinyPicture_IsCutOff()
-    {
-        Color32[] drawn = Blank(30 * 20);
-
-        Assert.That(() => new PathLabels(drawn, 30).Scale(1000f), Throws.Nothing);
-    }
-
-    private static Color32[] Blank(int count) => [.. Enumerable.Repeat(new Color32(250, 250, 250, 255), count)];
 
     private static float Sum(Dictionary<int, float> cover, int2 size, int? column, int? row) => cover
         .Where(entry => (column == null || entry.Key % size.x == column)

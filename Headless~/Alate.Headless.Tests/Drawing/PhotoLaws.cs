@@ -110,7 +110,7 @@ public sealed class PhotoLaws
     [Test]
     public void PixelsOfAPicture_AreCountedFromItsHeader()
     {
-        byte[] png = Alate.Formats.IndexedPng.Write(7, 5, new Color32[35], []);
+        byte[] png = Alate.Formats.TrueColourPng.Write(7, 5, new Color32[35], []);
 
         Assert.That(WingTexture.CountPixels(png), Is.EqualTo(35));
         Assert.That(WingTexture.CountPixels(png[..24]), Is.EqualTo(35));

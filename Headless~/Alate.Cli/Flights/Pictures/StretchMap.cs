@@ -11,7 +11,7 @@ internal static class StretchMap
     private const float k_Most = 0.08f;
 
     /// <summary>From none to <see cref="k_Most"/>, sRGB; the live view's.</summary>
-    private static readonly float3[] s_Stops = [.. new[] { 0xf4efdf, 0xf2c14e, 0xe4572e, 0x7b1e3a, 0x230a2b }.Select(Shading.Colour)];
+    private static readonly float3[] s_Stops = [.. new[] { 0xc4d6e4, 0xf2c14e, 0xe4572e, 0x7b1e3a, 0x230a2b }.Select(Shading.Colour)];
 
     public static byte[] Draw(FlightRecord flight) => Compose(flight).Write();
 

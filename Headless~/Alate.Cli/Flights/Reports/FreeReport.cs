@@ -8,9 +8,6 @@ internal static class FreeReport
     private const string k_Trajectory = "trajectory.csv", k_Forces = "forces.csv", k_Path = "path.png", k_Glb = "flight.glb",
         k_Summary = "summary.json";
 
-    /// <summary>Factor from which on it is told that the picture shows the insect larger than its way.</summary>
-    private const float k_Larger = 1.5f;
-
     /// <exception cref="UserException">Anything the user can mend; nothing has been written then.</exception>
     public static void Run(FreePlan plan, TextWriter output)
     {
@@ -43,7 +40,7 @@ internal static class FreeReport
         output.WriteLine(Way(record));
         output.WriteLine(Air(record));
         output.WriteLine(Tumbles(record.Tumbles));
-        if (factor >= k_Larger)
+        if (factor >= PathPicture.Larger)
             output.WriteLine(System.FormattableString.Invariant($"path.png shows the insect {factor:0.#} times larger than its way."));
         if (plan.Replay is { } replay)
             output.WriteLine(Replayed(replay.Recording));

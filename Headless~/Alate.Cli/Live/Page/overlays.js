@@ -1,6 +1,6 @@
 // Fields that are shown as colours, with their ends. Of the packed number of a vertex: stretch in tenths of a per cent, angle of attack in degrees.
 export const ramps = {
-  strain: { title: 'stretch of the membrane', low: 0, high: 8, isOpen: true, unit: ' %', of: (packed) => (packed & 255) / 10, stops: ['#f4efdf', '#f2c14e', '#e4572e', '#7b1e3a', '#230a2b'] },
+  strain: { title: 'stretch of the membrane', low: 0, high: 8, isOpen: true, unit: ' %', of: (packed) => (packed & 255) / 10, stops: ['#c4d6e4', '#f2c14e', '#e4572e', '#7b1e3a', '#230a2b'] },
   attack: { title: 'angle of attack', low: 0, high: 90, unit: '°', of: (packed) => (packed >> 8) & 255, stops: ['#0b3c5d', '#328cc1', '#dfe9e4', '#f0a04b', '#a6341b'] },
 };
 
