@@ -129,7 +129,11 @@ internal static class FiguresCommand
         folder.Write(k_Gallery, stream => stream.Write(Gallery.Draw(GalleryWidth)));
         stage("comparing");
         foreach (Comparison comparison in Comparison.Fly(Comparisons, _ => { }))
-            folder.Write(Compared(comparison.Plan.Species), stream => stream.Write(ComparisonPicture.Compose(comparison).Write(isSmall: true)));
+        {
+            byte[] picture = ComparisonPicture.Compose(comparison).Write(isSmall: true);
+            folder.Write(Compared(comparison.Plan.Species), stream => stream.Write(picture));
+        }
+
         stage("sweeping");
         var swept = Sweep.Fly(SweptElasticity, _ => { });
         folder.Write(k_Sweep, stream => stream.Write(SweepPicture.Compose(swept).Write(isSmall: true)));

@@ -7,7 +7,10 @@ namespace Alate.Formats;
 internal static class TrueColourPng
 {
     private const byte k_TrueColour = 2;
-    private const int k_Channels = 3, k_Filters = 5;
+    private const int k_Channels = 3;
+
+    /// <summary>By what a byte is foretold: above, left and corner (Paeth), left, mean, nothing. Rows of paper need the first alone.</summary>
+    private static readonly int[] s_Filters = [2, 4, 1, 3, 0];
 
     /// <summary>A picture.</summary>
     /// <param name="width">Pixels in a row.</param>
@@ -42,13 +45,15 @@ internal static class TrueColourPng
                 }
 
                 int least = int.MaxValue, chosen = 0;
-                for (int filter = 0; filter < k_Filters && least > 0; filter++)
+                foreach (int filter in s_Filters)
                 {
                     int sum = Filter(filter, row, above, filtered);
                     if (sum >= least)
                         continue;
                     (least, chosen) = (sum, filter);
                     (best, filtered) = (filtered, best);
+                    if (sum == 0)
+                        break;
                 }
 
                 zlib.WriteByte((byte)chosen);

@@ -81,9 +81,10 @@ namespace Alate.Tests.Cli
         public void TheFirst_IsAMonarch()
         {
             (int2 min, int2 max, int _) = Insects().OrderBy(insect => insect.Min.y / 20).ThenBy(insect => insect.Min.x).First();
+            bool IsIn(int2 place) => math.all(place >= min) && math.all(place <= max);
             Assert.That(
-                m_Picture.Pixels.Where((pixel, k) => math.all(new int2(k % k_Width, k / k_Width) >= min)
-                    && math.all(new int2(k % k_Width, k / k_Width) <= max) && pixel.r > 180 && pixel.g is > 70 and < 150 && pixel.b < 70).Count(),
+                m_Picture.Pixels.Where((pixel, k) =>
+                    IsIn(new int2(k % k_Width, k / k_Width)) && pixel.r > 180 && pixel.g is > 70 and < 150 && pixel.b < 70).Count(),
                 Is.GreaterThan(200));
         }
 

@@ -42,7 +42,8 @@ public sealed class TrueColourPngLaws
     [Test]
     public void WhatAPictureSays_StandsInTheFile_AndNothingWhereItSaysNothing()
     {
-        byte[] said = TrueColourPng.Write(2, 1, new Color32[2], ["A monarch", "3 °"]), silent = TrueColourPng.Write(2, 1, new Color32[2], []);
+        byte[] said = TrueColourPng.Write(2, 1, new Color32[2], ["A monarch", "3 °"]),
+            silent = TrueColourPng.Write(2, 1, new Color32[2], []);
 
         Assert.That(Encoding.UTF8.GetString(said), Does.Contain("Description\0\0\0\0\0A monarch\n3 °"));
         Assert.That(Encoding.Latin1.GetString(silent), Does.Not.Contain("iTXt"));

@@ -1,6 +1,8 @@
 namespace Alate.Cli;
 
-/// <summary>Way of the body over one beat beside its mean flight, seen from its left: two harmonics of the beats in the flight's middle.</summary>
+/// <summary>
+/// Way of the body over one beat beside its mean flight, seen from its left: two harmonics of the beats in the flight's middle.
+/// </summary>
 internal static class BeatBob
 {
     private const int k_Beats = 8, k_Harmonics = 2, k_Points = 73, k_Ink = 0x3d3a34, k_Line = 0x8a5a2b;

@@ -1,6 +1,8 @@
 namespace Alate.Cli;
 
-/// <summary>Way of a free flight as its picture shows it: places with and without the bob of the beat, distances flown, and marks of time.</summary>
+/// <summary>
+/// Way of a free flight as its picture shows it: places with and without the bob of the beat, distances flown, and marks of time.
+/// </summary>
 internal sealed class FlownWay
 {
     private const int k_MostPoints = 2400, k_MostMarks = 8, k_Shades = 32;
