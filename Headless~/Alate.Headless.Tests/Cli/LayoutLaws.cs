@@ -114,6 +114,8 @@ public sealed class LayoutLaws
 
         Assert.That(page.Words[^1].At.y - page.Words[^2].At.y, Is.EqualTo(15f).Within(0.01f));
         Assert.That(page.Size.y - page.Words[^1].At.y, Is.EqualTo(15f).Within(0.01f));
+        double first = SurfaceDistance.FarthestPhase(flown.Flights[0].Summary.Flight.Wings, flown.Held.Summary.Flight.Wings);
+        Assert.That(flown.Phases, Is.EqualTo(new[] { first, (first + 0.5) % 1.0 }), "the first row shows the difference best");
     }
 
     [TestCase(2, "On")]

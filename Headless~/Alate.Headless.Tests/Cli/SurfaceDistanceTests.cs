@@ -44,6 +44,19 @@ public sealed class SurfaceDistanceTests
         Assert.That(JointError.Percent(sixteen, shifted), Is.LessThan(0.1));
     }
 
+    // Two wings, of which the second is farther off at another phase, but by less.
+    [Test]
+    public void TheFarthestPhase_IsThatOfAllWings_InTheMean()
+    {
+        Func<double, int, float3> Off(double phase, float most) =>
+            (at, _) => new float3(0f, most * (float)(1.0 + Math.Cos(at - 2.0 * Math.PI * phase)), 0f);
+        RecordedWing rest = Wing(1f, (_, _) => 0f, 24);
+        RecordedWing[] moved = [Wing(1f, Off(7.0 / 24.0, 0.04f), 24), Wing(1f, Off(19.0 / 24.0, 0.01f), 24)];
+
+        Assert.That(SurfaceDistance.FarthestPhase([rest, rest], moved), Is.EqualTo(7.0 / 24.0).Within(1e-9));
+        Assert.That(SurfaceDistance.FarthestPhase(moved[1..], [rest]), Is.EqualTo(19.0 / 24.0).Within(1e-9));
+    }
+
     // Four frames, whose heights are straight between and whose joints are the vertices; the last is followed by the first.
     [TestCase(0.0, 0.0)]
     [TestCase(0.1, 0.4)]

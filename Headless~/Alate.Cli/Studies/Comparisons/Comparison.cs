@@ -10,7 +10,8 @@ internal sealed class Comparison
         Plan = plan;
         Free = free;
         Flights = flights;
-        Phases = Enumerable.Range(0, phases).Select(k => (double)k / phases).ToList();
+        double first = SurfaceDistance.FarthestPhase(flights[0].Summary.Flight.Wings, Held.Summary.Flight.Wings);
+        Phases = Enumerable.Range(0, phases).Select(k => (first + (double)k / phases) % 1.0).ToList();
     }
 
     public FlightPlan Plan { get; }
@@ -24,7 +25,9 @@ internal sealed class Comparison
     /// <summary>Flight of the insect by its own wings, with the numbers of the variant flight; null where it has no trim table.</summary>
     public FlightMeans Free { get; }
 
-    /// <summary>Rows of the picture, beats.</summary>
+    /// <summary>
+    /// Rows of the picture, beats: the first is that in which the first column is farthest from the full model, the others follow evenly.
+    /// </summary>
     public IReadOnlyList<double> Phases { get; }
 
     /// <summary>Name of the compared insect, with its variant where that is not the standard one.</summary>
