@@ -8,7 +8,8 @@ internal static class FiguresCommand
     private const string k_Page = "species.md", k_Sweep = "images/sweep-elasticity.png", k_SweepCharts = "images/sweep-elasticity.svg",
         k_Gallery = "images/insects.png",
         k_Film = "images/monarch-film.png", k_Stretch = "images/stretch-monarch.png", k_Veins = "images/veins.svg",
-        k_Wake = "images/wake-monarch.png", k_OwnFilm = "images/mymoth-film.png";
+        k_Wake = "images/wake-monarch.png", k_OwnFilm = "images/mymoth-film.png",
+        k_Way = "images/flight-monarch.png";
 
     /// <summary>Pixels of the picture of all insects.</summary>
     internal const int GalleryWidth = 1000;
@@ -46,7 +47,7 @@ internal static class FiguresCommand
     }
 
     private static List<string> Pictures =>
-        [k_Sweep, k_SweepCharts, k_Gallery, k_Film, k_OwnFilm, k_Stretch, k_Veins, k_Wake,
+        [k_Sweep, k_SweepCharts, k_Gallery, k_Film, k_OwnFilm, k_Stretch, k_Veins, k_Wake, k_Way,
             .. InsectCatalogue.Names.SelectMany(name => new[] { Portrait(name), Compared(name) })];
 
     /// <summary>The film of the front page.</summary>
@@ -64,6 +65,9 @@ internal static class FiguresCommand
         Beats = 1,
         Width = 480,
     };
+
+    /// <summary>The flight of the page of flight.</summary>
+    internal static FreePlan Wandering => new() { Insect = InsectCatalogue.Find(k_Hero), Pilot = FreePilot.Wander, Seconds = 12 };
 
     /// <summary>The sweep of the page of species.</summary>
     internal static SweepPlan SweptElasticity => new(FlownParameters.Find("elasticity"), 0.25, 4, SweepPlan.DefaultSteps,
@@ -142,6 +146,7 @@ internal static class FiguresCommand
         using (var wake = WakeFlight.Smooth(TetheredFlight.Fly(WakeFigures.Flown), new WakePlan()))
             folder.Write(k_Wake, stream => stream.Write(WakePicture.Draw(wake)));
 
+        folder.Write(k_Way, stream => stream.Write(PathPicture.Draw(FreeRun.Fly(Wandering, _ => { }), out float _)));
         stage("filming");
         var film = Film.Fly(HeroFilm);
         folder.Write(k_Film, stream => stream.Write(film.Animation(film.Draw(_ => { }))));

@@ -119,9 +119,13 @@ namespace Alate.Tests.Cli
 
             ComparisonPlan comparisons = FiguresCommand.Comparisons;
             Assert.That(comparisons.Flights.Select(flight => flight.Species), Is.EqualTo(InsectCatalogue.Names));
-            string[] phases = PngTexts.Of(Path.Combine(images, "compare-monarch.png"))
-                .Where(text => Regex.IsMatch(text, @"^\d+°$")).ToArray();
-            Assert.That(phases, Is.EqualTo(Enumerable.Range(0, comparisons.Phases).Select(k => $"{360 * k / comparisons.Phases}°")));
+            int[] phases = [.. PngTexts.Of(Path.Combine(images, "compare-monarch.png"))
+                .Where(text => Regex.IsMatch(text, @"^\d+°$")).Select(text => int.Parse(text[..^1]))];
+            Assert.That(phases, Is.EqualTo(
+                Enumerable.Range(0, comparisons.Phases).Select(k => (phases[0] + 360 * k / comparisons.Phases) % 360)));
+            FreePlan flight = FiguresCommand.Wandering;
+            Assert.That(PngTexts.Of(Path.Combine(images, "flight-monarch.png"))[0],
+                Does.StartWith($"{flight.Insect.DisplayName}: {flight.Seconds} s by its own wings, "));
             Assert.That(comparisons.Columns, Is.EqualTo(ComparisonColumn.All));
             byte[] gallery = File.ReadAllBytes(Path.Combine(images, "insects.png"));
             Assert.That(gallery[18] << 8 | gallery[19], Is.EqualTo(FiguresCommand.GalleryWidth));
