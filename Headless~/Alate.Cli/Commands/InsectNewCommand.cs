@@ -34,7 +34,7 @@ internal static class InsectNewCommand
         {
             HelpName = "FILE",
             Description = "A PNG or JPEG of the wing, or of the fore and of the hind wing, each on plain or transparent ground; or its "
-                + "mesh, OBJ, with the picture of its material.",
+                + "mesh, OBJ or GLB, with the picture of its material.",
             AllowMultipleArgumentsPerToken = true,
             Arity = new ArgumentArity(1, 2),
         };
@@ -60,13 +60,14 @@ internal static class InsectNewCommand
         };
         var body = new Option<string>("--body")
         {
-            HelpName = "BODY.obj",
-            Description = "Mesh of the body: X to the right, Y up, Z ahead, from the middle of the thorax. [default: as --like's]",
+            HelpName = "BODY",
+            Description = "Mesh of the body, OBJ with X to the right, Y up, Z ahead, or GLB, from the middle of the thorax. [default: as "
+                + "--like's]",
         };
         var unit = new Option<string>("--body-unit")
         {
             HelpName = "LENGTH",
-            Description = "Length of one unit of that mesh, such as 1mm or 1m.",
+            Description = "Length of one unit of that mesh, such as 1mm or 1m. [default of a GLB: 1m]",
         };
         var name = new Option<string>("--name") { HelpName = "NAME", Description = "Name of the insect. [default: that of DIR]" };
         var command = new Command("new", "Makes an insect file, with meshes, skeletons and textures, from pictures or meshes of its wings.")
@@ -158,7 +159,7 @@ internal static class InsectNewCommand
                 : throw new UserException("--body-unit is the length of a unit of the mesh of --body, which is missing.");
         }
 
-        return (file, s_Unit.Read("--body-unit", unit
+        return (file, s_Unit.Read("--body-unit", unit ?? (GlbMesh.IsNamed(file) ? "1m" : null)
             ?? throw new UserException("How long is a unit of the body's mesh? --body-unit, with its unit, such as 1mm.")));
     }
 
@@ -181,7 +182,7 @@ internal static class InsectNewCommand
         + "--body-unit 1cm\n\n"
         + "Writes into DIR:\n"
         + "  NAME.insect.json                  the insect, for every command that takes a SPECIES\n"
-        + "  wing.obj, wing.mtl, wing.png      mesh, material and texture of the wing; of two: fore and hind. A mesh stays as it is\n"
+        + "  wing.obj, wing.mtl, wing.png      mesh, material and texture of the wing; of two: fore and hind. An OBJ stays as it is\n"
         + "  wing.json                         its skeleton\n"
         + "  wing.svg                          what was found, drawn on the picture; of a mesh its outline and chains\n"
         + "  body.obj                          the mesh of --body\n\n"

@@ -33,11 +33,19 @@ internal sealed class PictureFile
 
     /// <summary>Reads a file.</summary>
     /// <exception cref="UserException">There is no such file, it cannot be read, or it is no picture of a fit size.</exception>
-    public static PictureFile Read(string path)
+    public static PictureFile Read(string path) => Of(path, () => ReadAll(path));
+
+    /// <summary>Reads a picture that lies within another file.</summary>
+    /// <param name="path">That file, for messages.</param>
+    /// <param name="bytes">The picture.</param>
+    /// <exception cref="UserException">It is no picture of a fit size.</exception>
+    public static PictureFile Within(string path, byte[] bytes) => Of(path, () => bytes);
+
+    private static PictureFile Of(string path, Func<byte[]> read)
     {
         try
         {
-            byte[] bytes = ReadAll(path);
+            byte[] bytes = read();
             if (OtherFormat(bytes) is string format)
                 throw new UserException($"Cannot read '{path}': it is a {format}; convert it to PNG or JPEG.");
             return bytes.AsSpan().StartsWith(JpegFile.Start) ? OfJpeg(path, bytes) : OfPng(path, bytes);

@@ -7,13 +7,15 @@ namespace Alate.Cli;
 internal sealed record FittedWing : FoundWing
 {
     private readonly ObjMesh m_Mesh;
+    private readonly byte[] m_Obj;
     private readonly SkeletonFit m_Fit;
     private readonly PictureFile m_Picture;
 
-    private FittedWing(string file, ObjMesh mesh, SurfaceMesh surface, SkeletonFit fit, PictureFile picture)
+    private FittedWing(string file, ObjMesh mesh, byte[] obj, SurfaceMesh surface, SkeletonFit fit, PictureFile picture)
         : base(file, surface, fit.Skeleton)
     {
         m_Mesh = mesh;
+        m_Obj = obj;
         m_Fit = fit;
         m_Picture = picture;
     }
@@ -26,12 +28,30 @@ internal sealed record FittedWing : FoundWing
     /// <exception cref="UserException">The file cannot be read, or no skeleton fits.</exception>
     public static new FittedWing Of(string file)
     {
+        if (GlbMesh.IsNamed(file))
+            return OfGlb(file);
         ObjMesh mesh = TextFile.Read(file, ObjReader.Read, InputFile.Mesh);
+        string picture = mesh.Uvs == null ? null : ObjMaterial.FindPicture(file, mesh.Library);
+        return Of(file, mesh, null, picture == null ? null : PictureFile.Read(picture));
+    }
+
+    // As the OBJ file that is written of it.
+    private static FittedWing OfGlb(string file)
+    {
+        var glb = GlbMesh.Read(file);
+        byte[] obj = glb.ToObj();
+        ObjMesh mesh;
+        using (var text = new StreamReader(new MemoryStream(obj)))
+            mesh = ObjReader.Read(text);
+        return Of(file, mesh, obj, mesh.Uvs == null || glb.Picture == null ? null : PictureFile.Within(file, glb.Picture));
+    }
+
+    private static FittedWing Of(string file, ObjMesh mesh, byte[] obj, PictureFile picture)
+    {
         SkeletonFitSettings settings = SkeletonFitSettings.Default;
         settings.isOriginUnknown = mesh.Origin != default;
-        string picture = mesh.Uvs == null ? null : ObjMaterial.FindPicture(file, mesh.Library);
         SurfaceMesh surface = mesh.ToSurface(file);
-        return new FittedWing(file, mesh, surface, Fit(surface, settings), picture == null ? null : PictureFile.Read(picture));
+        return new FittedWing(file, mesh, obj, surface, Fit(surface, settings), picture);
     }
 
     /// <summary>Lays a skeleton into a mesh.</summary>
@@ -59,12 +79,18 @@ internal sealed record FittedWing : FoundWing
         return text.ToString();
     }
 
-    /// <summary>Writes the skeleton, the mesh as it is, its picture, and the drawing.</summary>
+    /// <summary>Writes the skeleton, the mesh, an OBJ as it is, its picture, and the drawing.</summary>
     public override void Write(OutputFolder folder, TracedFiles files)
     {
         void Text(string name, string text) => folder.Write(name, stream => stream.Write(Encoding.UTF8.GetBytes(text)));
         Text(files.Skeleton, SkeletonJson.Write(Skeleton, m_Mesh.Origin));
-        folder.Write(files.Mesh, stream => InputFile.Copy(File, InputFile.Mesh, stream));
+        folder.Write(files.Mesh, stream =>
+        {
+            if (m_Obj == null)
+                InputFile.Copy(File, InputFile.Mesh, stream);
+            else
+                stream.Write(m_Obj);
+        });
         if (IsTextured)
             folder.Write(files.Picture, stream => stream.Write(m_Picture.Bytes));
         Text(files.Overlay, SkeletonPicture.Draw(m_Fit));

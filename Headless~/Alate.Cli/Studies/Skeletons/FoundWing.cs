@@ -14,10 +14,10 @@ internal abstract record FoundWing(string File, SurfaceMesh Surface, WingSkeleto
     /// <summary>True where a picture lies on the wing.</summary>
     public abstract bool IsTextured { get; }
 
-    /// <summary>Finds the wing of a file: of a mesh where it ends in .obj, of a picture otherwise.</summary>
+    /// <summary>Finds the wing of a file: of a mesh where it ends in .obj or .glb, of a picture otherwise.</summary>
     /// <exception cref="UserException">The file cannot be read, or shows no wing.</exception>
     public static FoundWing Of(string file) =>
-        ObjMesh.IsNamed(file) ? FittedWing.Of(file) : TracedWing.Of(file, WingTracingSettings.Default);
+        ObjMesh.IsNamed(file) || GlbMesh.IsNamed(file) ? FittedWing.Of(file) : TracedWing.Of(file, WingTracingSettings.Default);
 
     /// <summary>Writes skeleton, mesh, its picture, and a drawing of what was found.</summary>
     public abstract void Write(OutputFolder folder, TracedFiles files);

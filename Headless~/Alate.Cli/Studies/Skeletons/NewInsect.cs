@@ -41,8 +41,10 @@ internal sealed record NewInsect(string Name, InsectDefinition Like, decimal Mas
     {
         for (int k = 0; k < Wings.Count; k++)
             WingFiles.FrameOf(Wings[k].Wing.Skeleton, Wings[k].Wing.Surface, FilesOfWings[k].Mesh);
-        if (BodyMesh is { } body)
+        if (BodyMesh is { } body && !GlbMesh.IsNamed(body.File))
             TextFile.Read(body.File, ObjReader.Read, InputFile.Mesh);
+        else if (BodyMesh != null)
+            GlbMesh.Read(BodyMesh.Value.File);
         try
         {
             InsectFile.Read(JsonPlace.Read(new StringReader(Text(hasFiles: false))), File);
@@ -58,8 +60,10 @@ internal sealed record NewInsect(string Name, InsectDefinition Like, decimal Mas
     {
         for (int k = 0; k < Wings.Count; k++)
             Wings[k].Wing.Write(folder, FilesOfWings[k]);
-        if (BodyMesh is { } body)
-            folder.Write(BodyFile, stream => InputFile.Copy(body.File, InputFile.Mesh, stream));
+        if (BodyMesh is { } body && GlbMesh.IsNamed(body.File))
+            folder.Write(BodyFile, stream => stream.Write(GlbMesh.Read(body.File).ToObj()));
+        else if (BodyMesh != null)
+            folder.Write(BodyFile, stream => InputFile.Copy(BodyMesh.Value.File, InputFile.Mesh, stream));
         folder.Write(File, stream => stream.Write(Encoding.UTF8.GetBytes(Text(hasFiles: true))));
     }
 
