@@ -155,6 +155,7 @@ const cases = {
     globalThis.document = { documentElement: {} };
     globalThis.getComputedStyle = () => ({ getPropertyValue: (name) => name });
     const chart = new Chart({ clientWidth: 200, clientHeight: 100, width: 0, height: 0, getContext: () => pen });
+    same(chart.summary(), 'Lift and drag over the last three beats', 'a chart without a flight is named too');
     for (let k = 0; k <= 50; k++)
       chart.add({ beats: Math.floor(k / 10), phase: k % 10 / 10 * 2 * Math.PI, lift: 1 + k / 50, drag: -0.5 });
     near(chart.points.length, 31, 'three beats are kept');

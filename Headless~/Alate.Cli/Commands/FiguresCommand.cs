@@ -12,7 +12,7 @@ internal static class FiguresCommand
         k_Way = "images/flight-monarch.png";
 
     /// <summary>Pixels of the picture of all insects.</summary>
-    internal const int GalleryWidth = 1000;
+    internal const int GalleryWidth = 990;
 
     private const string k_Hero = "monarch";
     private const int k_Phases = 3;
@@ -133,14 +133,10 @@ internal static class FiguresCommand
         folder.Write(k_Gallery, stream => stream.Write(Gallery.Draw(GalleryWidth)));
         stage("comparing");
         foreach (Comparison comparison in Comparison.Fly(Comparisons, _ => { }))
-        {
-            byte[] picture = ComparisonPicture.Compose(comparison).Write(isSmall: true);
-            folder.Write(Compared(comparison.Plan.Species), stream => stream.Write(picture));
-        }
-
+            folder.Write(Compared(comparison.Plan.Species), stream => stream.Write(ComparisonPicture.Draw(comparison)));
         stage("sweeping");
         var swept = Sweep.Fly(SweptElasticity, _ => { });
-        folder.Write(k_Sweep, stream => stream.Write(SweepPicture.Compose(swept).Write(isSmall: true)));
+        folder.Write(k_Sweep, stream => stream.Write(SweepPicture.DrawPoses(swept)));
         Write(folder, k_SweepCharts, SweepPicture.DrawCharts(swept));
         Write(folder, k_Veins, VeinFigure.Draw());
         using (var wake = WakeFlight.Smooth(TetheredFlight.Fly(WakeFigures.Flown), new WakePlan()))

@@ -86,7 +86,7 @@ internal sealed class PixelPage
     }
 
     /// <summary>The whole file of a picture that has its size.</summary>
-    /// <param name="isSmall">True for 255 colours, in half the bytes, where pages hold many pictures.</param>
+    /// <param name="isSmall">True for 255 colours, in half the bytes, where a page holds many small insects.</param>
     public byte[] Write(bool isSmall = false)
     {
         var size = (int2)math.round(Fineness * Size);

@@ -9,7 +9,9 @@ internal static class TrueColourPng
     private const byte k_TrueColour = 2;
     private const int k_Channels = 3;
 
-    /// <summary>By what a byte is foretold: above, left and corner (Paeth), left, mean, nothing. Rows of paper need the first alone.</summary>
+    /// <summary>
+    /// Filters in the order in which they are tried: above, Paeth, left, mean, none. Rows of paper need the first alone.
+    /// </summary>
     private static readonly int[] s_Filters = [2, 4, 1, 3, 0];
 
     /// <summary>A picture.</summary>

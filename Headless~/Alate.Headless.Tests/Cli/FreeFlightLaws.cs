@@ -6,7 +6,6 @@ using Alate.Cli;
 using Alate.Flight;
 using NUnit.Framework;
 using Unity.Mathematics;
-using Unity.StandIns;
 
 namespace Alate.Tests.Cli;
 

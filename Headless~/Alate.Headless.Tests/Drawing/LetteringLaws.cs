@@ -3,7 +3,6 @@ using System.Linq;
 using Alate.Drawing;
 using NUnit.Framework;
 using Unity.Mathematics;
-using UnityEngine;
 
 namespace Alate.Tests.Drawing;
 

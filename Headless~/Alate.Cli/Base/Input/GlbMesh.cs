@@ -1,4 +1,3 @@
-using System.Numerics;
 using SharpGLTF.Schema2;
 using SharpGLTF.Validation;
 using UnityEngine;

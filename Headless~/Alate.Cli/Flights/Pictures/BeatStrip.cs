@@ -6,7 +6,7 @@ internal static class BeatStrip
     private const int k_Columns = 4, k_Rows = 3;
 
     /// <summary>The whole picture.</summary>
-    public static byte[] Draw(FlightRecord flight) => Compose(flight, out _).Write();
+    public static byte[] Draw(FlightRecord flight) => Compose(flight, out _).Write(isSmall: true);
 
     /// <summary>The picture before it is painted.</summary>
     public static PixelPage Compose(FlightRecord flight, out StripLayout layout)

@@ -66,7 +66,8 @@ export class Chart {
   // What the chart shows, in words.
   summary() {
     const mean = (name) => number(Number((this.points.reduce((sum, point) => sum + point[name], 0) / this.points.length).toFixed(2)));
-    return this.points.length < 2 ? '' : `Lift and drag over the last three beats; on average ${mean('lift')} and ${mean('drag')} times the weight`;
+    const shown = 'Lift and drag over the last three beats';
+    return this.points.length < 2 ? shown : `${shown}; on average ${mean('lift')} and ${mean('drag')} times the weight`;
   }
 }
 

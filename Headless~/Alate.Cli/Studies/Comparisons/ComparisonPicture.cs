@@ -17,7 +17,7 @@ internal static class ComparisonPicture
     ];
 
     /// <summary>The whole picture.</summary>
-    public static byte[] Draw(Comparison comparison) => Compose(comparison).Write();
+    public static byte[] Draw(Comparison comparison) => Compose(comparison).Write(isSmall: true);
 
     internal static PixelPage Compose(Comparison comparison)
     {
@@ -44,8 +44,10 @@ internal static class ComparisonPicture
             look: "t");
         page.Text(k_Edge, bottom + 27f, 11f, "off full: mean distance of the surface from the full model's at equal phase, % of the wing's "
             + "length. † outside what is expected here: " + Expected(comparison.Plan.Variant), look: "t");
-        page.Text(k_Edge, bottom + 42f, 11f, "Blue lines: the full model's wings at the same phase. First row: the phase at which the first "
-            + "column is farthest off.", look: "t");
+        page.Text(
+            k_Edge, bottom + 42f, 11f,
+            "Blue lines: the full model's wings at the same phase. First row: the phase at which the first column is farthest off.",
+            look: "t");
         return page.End(
             width, bottom + 57f, $"{comparison.Name}: {string.Join(", ", comparison.Flights.Select(flight => flight.Column.Title))}");
     }

@@ -11,7 +11,7 @@ internal readonly record struct SurfaceDistance(double MeanPct, double MaxPct)
         return new SurfaceDistance(phases.Average(phase => phase.MeanPct), phases.Max(phase => phase.MaxPct));
     }
 
-    /// <summary>Phase at which the wings of two flights of one insect are farthest from each other in the mean over all vertices, beats.</summary>
+    /// <summary>Phase at which the wings of two flights of one insect are farthest apart in the mean over all vertices, beats.</summary>
     public static double FarthestPhase(IEnumerable<RecordedWing> wings, IEnumerable<RecordedWing> others) =>
         Enumerable.Range(0, k_Phases).Select(phase => phase / (double)k_Phases)
             .MaxBy(phase => wings.Zip(others, (wing, other) => At(wing, other, phase).MeanPct).Sum());

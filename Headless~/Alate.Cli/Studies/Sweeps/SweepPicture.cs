@@ -20,7 +20,7 @@ internal sealed class SweepPicture
     }
 
     /// <summary>The insect, as a PNG file.</summary>
-    public static byte[] DrawPoses(Sweep sweep) => Compose(sweep).Write();
+    public static byte[] DrawPoses(Sweep sweep) => Compose(sweep).Write(isSmall: true);
 
     internal static PixelPage Compose(Sweep sweep) => new SweepPicture(sweep).ComposePoses();
 

@@ -5,7 +5,6 @@ using System.IO;
 using System.Linq;
 using Alate.Catalogue;
 using Alate.Crowds;
-using Alate.Drawing;
 using Alate.Tests.Shaders;
 using Alate.Tests.Views;
 using NUnit.Framework;
@@ -74,8 +73,6 @@ public sealed class WingPictureTests : CrowdFixture
 
         Color32[][] drawn = pictures.Draw(), painted = Array.ConvertAll(views, view => PaintedPicture.Of(view, surfaces));
         WriteSheet($"{species}{(inverted ? "-inverted" : "")}", [drawn[0], drawn[1], painted[0]], [drawn[2], drawn[3], painted[1]]);
-
-        
         for (int side = 0; side < views.Length; side++)
         {
             AssertAlike(drawn[2 * side], painted[side], 0.008, 0.995, "URP");

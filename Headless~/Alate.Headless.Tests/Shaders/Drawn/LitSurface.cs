@@ -45,7 +45,7 @@ internal sealed class LitSurface
 
     public Vector2[] Uvs { get; }
 
-    /// <summary>[vertex] Where the texture of the baked loops holds it.</summary>
+    /// <summary>[vertex] Its place in the texture of the baked loops.</summary>
     public Vector2[] Baked { get; }
 
     public Color32[] Colours { get; }
@@ -60,7 +60,7 @@ internal sealed class LitSurface
     /// <summary>sRGB.</summary>
     public Color Tint { get; init; }
 
-    /// <summary>What lies behind is seen through it.</summary>
+    /// <summary>True where things behind it are seen through it.</summary>
     public bool IsClear { get; }
 
     /// <summary>Middle of its corners in the world.</summary>

@@ -8,8 +8,8 @@ using UnityEngine;
 namespace Alate.Tests.Shaders;
 
 /// <summary>
-/// What the painter of the package's pictures makes of surfaces of Alate/Wing in the light of a view: its samples, sheets of glass and
-/// pixels, with the shader's light written down a second time from what the manual says of it.
+/// Picture that the package's painter makes of surfaces of Alate/Wing in the light of a view: its samples, sheets of glass and pixels, with
+/// the shader's light written down a second time from what the manual says of it.
 /// </summary>
 internal static class PaintedPicture
 {

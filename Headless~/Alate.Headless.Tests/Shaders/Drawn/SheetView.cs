@@ -34,7 +34,7 @@ internal sealed record SheetView(int Width, int Height, Vector3 Eye, Matrix4x4 M
         float side = math.radians(aside), up = math.radians(above), distance = 2f * (most - least).magnitude;
         var towards = new Vector3(-MathF.Cos(up) * MathF.Sin(side), MathF.Sin(up), MathF.Cos(up) * MathF.Cos(side));
         Vector3 eye = middle + distance * towards, right = Vector3.Cross(Vector3.up, -towards).normalized;
-        Vector3 upright = Vector3.Cross(-towards, right);
+        var upright = Vector3.Cross(-towards, right);
         Matrix4x4 view = new Matrix4x4(right, upright, towards, new Vector4(0f, 0f, 0f, 1f)).transpose * Matrix4x4.Translate(-eye);
         float aspect = (float)size.x / size.y, reach = 0f;
         foreach (Vector3 place in places)

@@ -77,7 +77,7 @@ internal sealed class WebPictures
             colour = Text(Array.ConvertAll(surface.Colours, colour => (Vector4)(Color)colour)),
             triangles = Text(surface.Triangles),
         });
-        var uniforms = s_Numbers.ToDictionary(name => name, name => new[] { surface.Number(name) });
+        Dictionary<string, float[]> uniforms = s_Numbers.ToDictionary(name => name, name => new[] { surface.Number(name) });
         uniforms["unity_ObjectToWorld"] = uniforms["unity_ObjectToWorldArray"] = Numbers(surface.Place);
         uniforms["_MainTex_ST"] = [1f, 1f, 0f, 0f];
         Color tint = surface.Tint;

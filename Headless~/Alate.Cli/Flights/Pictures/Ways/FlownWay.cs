@@ -56,7 +56,7 @@ internal sealed class FlownWay
 
     private int Stride => 1 + Places.Length / k_MostPoints;
 
-    /// <summary>What is drawn of a moment: the bob too where every moment is drawn.</summary>
+    /// <summary>Place that is drawn of a moment: the bob too where every moment is drawn.</summary>
     public float3 Drawn(int moment) => Stride == 1 ? Places[moment] : Means[moment];
 
     /// <summary>Draws the way in the colours of its height.</summary>

@@ -31,7 +31,7 @@ internal sealed class PathMap
         Factor = math.max(1f, k_Reach / (m_Scale * m_Reach));
     }
 
-    /// <summary>How many times larger than the way the insects are drawn.</summary>
+    /// <summary>Size of the drawn insects over that of their way.</summary>
     public float Factor { get; }
 
     /// <summary>Draws it.</summary>
