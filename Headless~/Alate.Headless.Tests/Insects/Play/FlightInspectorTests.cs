@@ -98,49 +98,5 @@ namespace Alate.Tests.Play.Headless
             Assert.That(page.Controls.Select(control => control.Text), Has.Some.Contains("is not in the project's Assets folder"));
             yield return null;
         }
-
-        [UnityTest]
-        public IEnumerator ASpawnersInspector_TellsWhatKeepsItFromPlacing()
-        {
-            var scene = new CrowdScene("monarch", 3, "cruise");
-            CrowdSpawnerTold(scene, out Alate.Crowds.CrowdSpawner spawner);
-            yield return Frames(3);
-            var page = DrawnInspector.Of(m_Editor);
-            Assert.That(page.HelpBoxes, Is.Empty);
-            spawner.Loop = "dive";
-            page = DrawnInspector.Of(m_Editor);
-            Assert.That((page.HelpBoxes.Single(), page.Control(page.HelpBoxes.Single()).Value), Is.EqualTo((spawner.Problem, "Warning")));
-            Assert.That(page.Controls.Count(control => control.Kind == ControlKind.Field), Is.GreaterThan(4), "its fields");
-            scene.Clear();
-        }
-
-        [UnityTest]
-        public IEnumerator ACrowdsInspector_TellsWhatIsDrawn_FrameByFrame_OrWhatKeepsItFromThat()
-        {
-            var scene = new CrowdScene("monarch", 3, "cruise");
-            Alate.Crowds.InsectCrowd crowd = scene.Crowd;
-            for (int k = 0; k < 3; k++)
-                scene.Place(k, Alate.Crowds.CrowdPose.At(default, Unity.Mathematics.quaternion.identity));
-            m_Editor = UnityEditor.Editor.CreateEditor(crowd);
-            yield return Frames(3);
-            var page = DrawnInspector.Of(m_Editor);
-            Assert.That(m_Editor.RequiresConstantRepaint(), Is.True);
-            Assert.That(page.HelpBoxes.Single(), Is.EqualTo(
-                $"3 of 3 drawn, over all cameras, 0 live, {crowd.DrawCalls} draw calls, {crowd.Triangles / 1000} thousand triangles"));
-            Assert.That(page.Control(page.HelpBoxes.Single()).Value, Is.EqualTo("Info"));
-            LogAssert.Expect(LogType.Warning, "'crowd': No baked insect is assigned.");
-            crowd.Insect = null;
-            yield return null;
-            page = DrawnInspector.Of(m_Editor);
-            Assert.That((page.HelpBoxes.Single(), page.Control(page.HelpBoxes.Single()).Value), Is.EqualTo((crowd.Problem, "Warning")));
-            Assert.That(page.Controls.Count(control => control.Kind == ControlKind.Field), Is.GreaterThan(4), "its fields");
-            scene.Clear();
-        }
-
-        private void CrowdSpawnerTold(CrowdScene scene, out Alate.Crowds.CrowdSpawner spawner)
-        {
-            spawner = scene.Crowd.gameObject.AddComponent<Alate.Crowds.CrowdSpawner>();
-            m_Editor = UnityEditor.Editor.CreateEditor(spawner);
-        }
     }
 }
