@@ -90,6 +90,17 @@ public sealed class WayPictureLaws
         Assert.That(page.Texts, Has.Some.StartsWith("Height, cm"));
     }
 
+    // A flight of one step, and of one that is as short as a beat.
+    [Test]
+    public void AFlightOfFewSteps_IsDrawnToo([Values(0, 1, 2)] int moments)
+    {
+        PixelPage page = Page(moments, time => new float3(0f, 0f, (float)time), out float factor);
+
+        Assert.That(page.Panels, Has.Count.EqualTo(1));
+        Assert.That(factor, Is.EqualTo(1f));
+        Assert.That(page.Strokes.SelectMany(stroke => stroke.Points).All(point => math.all(math.isfinite(point))), Is.True);
+    }
+
     // Of two harmonics the loop is what was put in, about a mean that flies on.
     [Test]
     public void TheBobOfABeat_IsWhatTheBodyDoesBesideItsMeanFlight()

@@ -5,9 +5,19 @@ using NUnit.Framework;
 
 namespace Alate.Tests.Drawing;
 
-/// <summary>Text of a scene of Universal Scene Description, letter by letter: its grammar wants lines where others want none.</summary>
+/// <summary>
+/// Text of a scene of Universal Scene Description, letter by letter, as its grammar wants lines where others want none; and its colours.
+/// </summary>
 public sealed class UsdTextLaws
 {
+    [Test]
+    public void EveryValue_IsThatOfItsLight()
+    {
+        for (int value = 0; value < 256; value++)
+            Assert.That(FileColours.Encoded(FileColours.Linear((byte)value)), Is.EqualTo(value));
+        Assert.That((FileColours.Encoded(-1.0), FileColours.Encoded(7.0)), Is.EqualTo(((byte)0, (byte)255)));
+    }
+
     [Test]
     public void Prims_StandWithinOneAnother_WithAttributesMetadataAndSamples()
     {

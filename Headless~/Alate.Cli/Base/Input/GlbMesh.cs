@@ -74,7 +74,8 @@ internal sealed record GlbMesh(SurfaceMesh Surface, byte[] Picture)
             (int A, int B, int C)[] triangles = [.. primitive.GetTriangleIndices()];
             if (triangles.Length == 0)
                 return;
-            foreach (System.Numerics.Vector3 position in primitive.GetVertexAccessor("POSITION").AsVector3Array())
+            Accessor positions = primitive.GetVertexAccessor("POSITION") ?? throw new FormatException("a mesh has no positions");
+            foreach (System.Numerics.Vector3 position in positions.AsVector3Array())
             {
                 // The mirror of the axes is its own inverse.
                 var world = System.Numerics.Vector3.Transform(position, place);
@@ -124,15 +125,9 @@ internal sealed record GlbMesh(SurfaceMesh Surface, byte[] Picture)
             for (int k = 0; k < count; k++)
             {
                 System.Numerics.Vector4 light = own == null ? tint : tint * own[k];
-                m_Colours.Add(new Color32(Encoded(light.X), Encoded(light.Y), Encoded(light.Z), 255));
+                m_Colours.Add(new Color32(
+                    FileColours.Encoded(light.X), FileColours.Encoded(light.Y), FileColours.Encoded(light.Z), 255));
             }
-        }
-
-        private static byte Encoded(float light)
-        {
-            double linear = Math.Clamp(light, 0.0, 1.0);
-            double encoded = linear <= 0.0031308 ? 12.92 * linear : 1.055 * Math.Pow(linear, 1.0 / 2.4) - 0.055;
-            return (byte)Math.Round(255.0 * encoded);
         }
     }
 }

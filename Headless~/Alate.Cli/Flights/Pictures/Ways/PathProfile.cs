@@ -10,6 +10,9 @@ internal static class PathProfile
 
     private const double k_Centimetres = 0.1;
 
+    /// <summary>Least length of the axis, of a flight of one step, which begins where it ends.</summary>
+    private const double k_Shortest = 1e-3;
+
     /// <summary>Least distance of marks, units of the page: their words need it.</summary>
     private const float k_Apart = 32f;
 
@@ -26,7 +29,7 @@ internal static class PathProfile
         bool isFar = way.Distances[^1] > k_Far * reach;
         (string unit, double factor) = way.Highest - way.Lowest < k_Centimetres ? ("cm", 100.0) : ("m", 1.0);
         double Across(int moment) => isFar ? way.Distances[moment] : way.Times[moment];
-        ChartAxis across = new(0.0, Across(way.Places.Length - 1), false, []),
+        ChartAxis across = new(0.0, Math.Max(Across(way.Places.Length - 1), k_Shortest), false, []),
             up = ChartAxis.Around([factor * way.Lowest, factor * way.Highest]);
         page.Text(corner.x - 50f, corner.y - 14f, 13f,
             $"Height, {unit}, over {(isFar ? "the distance flown, m" : "time, s")}; colours as above", look: "t");
