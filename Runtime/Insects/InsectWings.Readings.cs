@@ -29,6 +29,12 @@ namespace Alate
         /// <summary>Pitch of the body against the horizon, degrees, nose up positive (AoA of Eq. 6–7).</summary>
         public float AngleOfAttack => Live == null ? 0f : Mathf.Rad2Deg * Live.Pitch;
 
+        /// <summary>
+        /// Reason why the processor deforms the wings though <see cref="InsectQuality.skinning"/> asks for the graphics card; empty where
+        /// there is none.
+        /// </summary>
+        public string SkinningObstacle => Live?.Obstacle ?? "";
+
         /// <summary>Level of detail with which the wings are computed now.</summary>
         public WingDetail Detail => Live == null ? WingDetail.Frozen : Live.Detail;
 
@@ -170,7 +176,9 @@ namespace Alate
             return live.transform.TransformPoint(live.rig.Frame.ToMesh(Read(wing).JointPosition(chain, joint, DrawnAlpha)));
         }
 
-        /// <summary>Bounds of a wing's mesh part as last deformed, in the space of its renderer.</summary>
+        /// <summary>
+        /// Bounds of a wing's mesh part as last deformed, in the space of its renderer; somewhat larger where the graphics card deforms it.
+        /// </summary>
         /// <exception cref="ArgumentOutOfRangeException">There is no such wing.</exception>
         public Bounds BoundsOf(int wing)
         {

@@ -26,6 +26,7 @@ namespace Alate.Editor
             rows.Add(property.FindPropertyRelative(nameof(InsectQuality.culling)));
             rows.Add(property.FindPropertyRelative(nameof(InsectQuality.keepForces)));
             rows.Add(property.FindPropertyRelative(nameof(InsectQuality.motionVectors)));
+            rows.Add(property.FindPropertyRelative(nameof(InsectQuality.skinning)));
         }
     }
 }

@@ -63,7 +63,7 @@ namespace Alate.Editor
                 return new InsectStatus(
                     insect, problem, problem.State == InsectState.ZeroScale ? MessageType.Warning : MessageType.Error, problem.Message);
             }
-            string rest = Rest(insect);
+            string rest = Rest(insect) ?? Skinning(insect);
             return rest == null ? default : new InsectStatus(insect, problem, MessageType.Info, rest);
         }
 
@@ -92,6 +92,9 @@ namespace Alate.Editor
                 ? "The wings have come to rest because the insect is so small on the screen; see Quality."
                 : "The wings stand still while no camera sees them, and make up for it when one does; see Quality.";
         }
+
+        private static string Skinning(InsectWings insect) => insect.SkinningObstacle.Length == 0 ? null
+            : $"The processor deforms the wings, since {insect.SkinningObstacle}.";
 
         private static string Others(int count) =>
             count == 1 ? "One more of the selected insects has a problem." : $"{count} more of the selected insects have problems.";

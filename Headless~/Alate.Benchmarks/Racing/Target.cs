@@ -43,6 +43,10 @@ internal static class Targets
     public static readonly Target Upload = new("upload_over_floats", "upload / upload of floats, 400 insects", "us/frame", 0.8, 0.67);
     public static readonly Target PackedSkin = new(
         "packed_skin_over_floats", "skinning / skinning into floats, 400 insects", "us/frame", 1.1, 1.0);
+    public static readonly Target GpuUpload = new(
+        "joints_upload_over_packed", "joints for the graphics card / upload, 400 insects", "us/frame", 0.4, 0.2);
+    public static readonly Target GpuSkin = new(
+        "joints_skin_over_packed", "joints for the graphics card / skinning, 400 insects", "us/frame", 0.4, 0.2);
     public static readonly Target Vortices = new("plain_vortices_over_wake", "plain / vortex segments", "ns/influence", 4, 6);
     public static readonly Target WakeCores = new("wake_two_cores_over_one", "wake on two cores / one", "s", 1.7, 1.9);
     public static readonly Target Single = new("single_insect_over_crowd", "an insect alone / of 64", "us/insect", 2.0, 2.0);

@@ -94,7 +94,8 @@ namespace Alate.Tests.Architecture
                     ["Wings"] = ["Preset"],
                     ["Settings"] = ["Wings"],
                     ["Meshes"] = ["Lifetime", "Wings"],
-                    ["Insects"] = ["Lifetime", "Meshes", "Preset", "Settings", "Wings"],
+                    ["Skins"] = ["Lifetime"],
+                    ["Insects"] = ["Lifetime", "Meshes", "Preset", "Settings", "Skins", "Wings"],
                 },
                 ["Alate/Meshes"] = new Dictionary<string, string[]>
                 {

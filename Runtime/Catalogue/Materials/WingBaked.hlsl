@@ -49,13 +49,6 @@ float3 AlateBakedBefore(float2 first, float3 now)
 }
 #endif
 
-#define ALATE_BAKED_INPUT float2 baked : TEXCOORD1;
-#define ALATE_BAKE_POSITION(corner, field) corner.field = float4(AlateBaked(corner.baked), 1);
-#define ALATE_BAKE_NORMAL(corner) corner.normal = normalize(AlateBaked(corner.baked + float2(0, 0.5)));
-#else
-#define ALATE_BAKED_INPUT
-#define ALATE_BAKE_POSITION(corner, field)
-#define ALATE_BAKE_NORMAL(corner)
 #endif
 
 half3 AlateTint()

@@ -1,5 +1,5 @@
-// Where a vertex was in the last picture, for motion vectors: of living wings by their displacements, of baked ones by the rows that were shown then, and of
-// skinned meshes as Unity tells it. Needs ALATE_MOTION before WingBaked.hlsl.
+// Where a vertex was in the last picture, for motion vectors: of living wings by their displacements or their joints, of baked ones by the rows that were shown
+// then, and of skinned meshes as Unity tells it. Needs ALATE_MOTION before WingShape.hlsl.
 #ifndef ALATE_WING_MOTION
 #define ALATE_WING_MOTION
 
@@ -7,12 +7,12 @@ struct Attributes
 {
     float4 position : POSITION;
 
-    // Unity's, of skinned meshes.
+    // Unity's, of skinned meshes; of wings that the graphics card deforms it is found by their joints.
     float3 last : TEXCOORD4;
 
     // From the last place to this one; 0 where the mesh has none.
     float3 displacement : TEXCOORD5;
-    ALATE_BAKED_INPUT
+    ALATE_SHAPE_INPUT
     UNITY_VERTEX_INPUT_INSTANCE_ID
 };
 
@@ -31,6 +31,8 @@ float4 LastPosition(Attributes corner, bool isSkinned)
 {
     #if defined(_BAKED)
     return float4(AlateBakedBefore(corner.baked, corner.position.xyz), 1);
+    #elif defined(_SKINNED)
+    return float4(corner.last, 1);
     #else
     return float4((isSkinned ? corner.last : corner.position.xyz) - corner.displacement, 1);
     #endif

@@ -94,7 +94,7 @@ namespace Alate.Crowds
             bool hasColours = colours.Length == count;
             for (int vertex = 0; vertex < count; vertex++)
                 m_Colours.Add(hasColours ? colours[vertex] : new Color32(255, 255, 255, 255));
-            Material[] materials = renderer.sharedMaterials;
+            Material[] materials = System.Array.ConvertAll(renderer.sharedMaterials, SkinMaterials.SourceOf);
             for (int submesh = 0; submesh < mesh.subMeshCount; submesh++)
             {
                 if (mesh.GetTopology(submesh) != MeshTopology.Triangles)

@@ -75,7 +75,6 @@ namespace Alate
                 mesh.SetVertexBufferData(others.Pick(order), 0, 0, order.Length * others.Words, others.Stream, UploadFlags);
             CopyTriangles(source, order, mesh);
             mesh.bounds = source.bounds;
-            mesh.MarkDynamic();
             return mesh;
         }
 

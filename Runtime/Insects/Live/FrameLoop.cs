@@ -23,11 +23,14 @@ namespace Alate
         public FrameLoop()
         {
             World = new WingWorld();
-            m_Registry = new InsectRegistry(World, m_Presets);
+            m_Registry = new InsectRegistry(World, m_Presets, Skins);
         }
 
         /// <summary>The simulation.</summary>
         public WingWorld World { get; }
+
+        /// <summary>Joints and materials by which the graphics card deforms wings.</summary>
+        public GpuSkins Skins { get; } = new GpuSkins();
 
         /// <summary>Insects whose wings beat.</summary>
         public int Count => Insects.Count;
@@ -128,6 +131,7 @@ namespace Alate
         {
             m_Registry.End();
             World.Dispose();
+            Skins.Dispose();
             SystemCounter.insects.Set(0);
             SystemCounter.steps.Set(0);
             SystemCounter.resets.Set(0);
@@ -257,8 +261,10 @@ namespace Alate
 
             using (SystemMarkers.upload.Auto())
             {
+                Skins.BeginPicture();
                 foreach (LiveInsect live in Insects)
                     live.Upload(World, m_Clocks.times[live.Clock].IsDrawn);
+                Skins.EndPicture();
             }
 
             m_Clocks.EndDrawing();

@@ -13,10 +13,12 @@ namespace Alate
     {
         private readonly TemplateCache m_Templates;
         private readonly AssetWatch<WingSkeleton, SkeletonValue> m_Skeletons;
+        private readonly GpuSkins m_Skins;
         private int m_NextOwner = 1;
 
-        public InsectBuilder(TemplateCache templates, AssetWatch<WingSkeleton, SkeletonValue> skeletons)
+        public InsectBuilder(TemplateCache templates, AssetWatch<WingSkeleton, SkeletonValue> skeletons, GpuSkins skins)
         {
+            m_Skins = skins;
             m_Templates = templates;
             m_Skeletons = skeletons;
         }
@@ -82,6 +84,7 @@ namespace Alate
                     mesh = Build(insect, group, out problem);
                     if (mesh == null)
                         return problem;
+                    Tell(live, mesh);
                     live.meshes.Add(mesh);
                 }
 
@@ -91,6 +94,14 @@ namespace Alate
 
             live.wings = wings;
             return InsectProblem.None;
+        }
+
+        // One line an insect.
+        private static void Tell(LiveInsect live, LiveMesh mesh)
+        {
+            if (mesh.Obstacle == null || live.Obstacle != null || live.insect.Quality.skinning != WingSkinning.Gpu)
+                return;
+            Debug.LogWarning($"'{live.insect.name}': the processor deforms its wings, since {mesh.Obstacle}.", live.insect);
         }
 
         private LiveMesh Build(InsectWings insect, List<int> group, out InsectProblem problem)
@@ -112,7 +123,7 @@ namespace Alate
             var parts = new RiggedParts(mesh, automatic, patches);
             MeshTemplate template = m_Templates.Acquire(new TemplateKey(mesh, patches, keys, automatic), parts, wings, group, out problem);
             return template == null ? null
-                : new LiveMesh(filter, template, wings, skeletons, patches, insect.Quality.motionVectors);
+                : new LiveMesh(filter, template, wings, skeletons, insect, m_Skins);
         }
 
         // Whether the wings that the list has on a mesh's renderer are those that the mesh was built with, unchanged.

@@ -80,6 +80,9 @@ namespace Alate
                 return;
             if (!ReferenceEquals(filter.sharedMesh, mesh))
                 filter.sharedMesh = mesh;
+            Material[] shown = wing.Renderer.sharedMaterials, authored = System.Array.ConvertAll(shown, SkinMaterials.SourceOf);
+            if (!System.Linq.Enumerable.SequenceEqual(shown, authored))
+                wing.Renderer.sharedMaterials = authored;
             wing.Authored = null;
         }
 

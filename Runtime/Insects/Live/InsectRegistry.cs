@@ -23,11 +23,11 @@ namespace Alate
         private readonly WingWorld m_World;
         private readonly AssetWatch<WingPreset, PresetValues> m_Presets;
 
-        public InsectRegistry(WingWorld world, AssetWatch<WingPreset, PresetValues> presets)
+        public InsectRegistry(WingWorld world, AssetWatch<WingPreset, PresetValues> presets, GpuSkins skins)
         {
             m_World = world;
             m_Presets = presets;
-            m_Builder = new InsectBuilder(m_Templates, m_Skeletons);
+            m_Builder = new InsectBuilder(m_Templates, m_Skeletons, skins);
             m_Broken = new FaultedInsects(m_Skeletons);
         }
 

@@ -69,6 +69,23 @@ namespace Alate
             }
         }
 
+        /// <summary>
+        /// Reason why the processor deforms a mesh though the graphics card is wanted, a part of a sentence; null where there is none.
+        /// </summary>
+        public string Obstacle
+        {
+            get
+            {
+                foreach (LiveMesh mesh in meshes)
+                {
+                    if (mesh.Obstacle != null)
+                        return mesh.Obstacle;
+                }
+
+                return null;
+            }
+        }
+
         /// <summary>Number of vertices of the drawn meshes.</summary>
         public int VertexCount => meshes.Sum(mesh => mesh.template.VertexCount);
 

@@ -9,32 +9,45 @@ namespace Alate
     /// </summary>
     internal static class LivingMeshes
     {
-        private static readonly Dictionary<Mesh, (Mesh source, MeshFilter filter)> s_Living = new Dictionary<Mesh, (Mesh, MeshFilter)>();
+        private static readonly Dictionary<MeshFilter, Mesh> s_Shown = new Dictionary<MeshFilter, Mesh>();
+        private static readonly Dictionary<Mesh, (Mesh source, int users)> s_Sources = new Dictionary<Mesh, (Mesh, int)>();
 
-        /// <summary>Number of living meshes.</summary>
-        public static int Count => s_Living.Count;
+        /// <summary>Number of filters that show living meshes.</summary>
+        public static int Count => s_Shown.Count;
 
-        /// <summary>Adds a living mesh with its source and its filter.</summary>
-        public static void Add(Mesh living, Mesh source, MeshFilter filter) => s_Living.Add(living, (source, filter));
+        /// <summary>Adds a filter with the living mesh that it shows, and the mesh's source.</summary>
+        public static void Add(Mesh living, Mesh source, MeshFilter filter)
+        {
+            s_Shown.Add(filter, living);
+            s_Sources[living] = (source, s_Sources.TryGetValue(living, out (Mesh source, int users) entry) ? entry.users + 1 : 1);
+        }
 
-        /// <summary>Removes a living mesh.</summary>
-        public static void Remove(Mesh living) => s_Living.Remove(living);
+        /// <summary>Removes a filter and its living mesh.</summary>
+        public static void Remove(Mesh living, MeshFilter filter)
+        {
+            s_Shown.Remove(filter);
+            (Mesh source, int users) = s_Sources[living];
+            if (users == 1)
+                s_Sources.Remove(living);
+            else
+                s_Sources[living] = (source, users - 1);
+        }
 
         /// <summary>Authored mesh: the source of a living mesh, or the mesh itself.</summary>
         public static Mesh SourceOf(Mesh mesh) =>
-            mesh is null || !s_Living.TryGetValue(mesh, out (Mesh source, MeshFilter filter) entry) ? mesh : entry.source;
+            mesh is null || !s_Sources.TryGetValue(mesh, out (Mesh source, int users) entry) ? mesh : entry.source;
 
         /// <summary>
         /// Returns true where an insect has given this very filter the mesh that it shows; false for the filters of its clones.
         /// </summary>
-        public static bool LivesOn(MeshFilter filter)
-        {
-            Mesh shown = filter.sharedMesh;
-            return !(shown is null) && s_Living.TryGetValue(shown, out (Mesh source, MeshFilter filter) entry)
-                && ReferenceEquals(entry.filter, filter);
-        }
+        public static bool LivesOn(MeshFilter filter) =>
+            s_Shown.TryGetValue(filter, out Mesh living) && ReferenceEquals(filter.sharedMesh, living);
 
         [RuntimeInitializeOnLoadMethod(RuntimeInitializeLoadType.SubsystemRegistration)]
-        private static void Forget() => s_Living.Clear();
+        private static void Forget()
+        {
+            s_Shown.Clear();
+            s_Sources.Clear();
+        }
     }
 }

@@ -14,7 +14,7 @@ namespace Alate
         private const float k_Reach = 1.1f;
 
         private readonly Mesh m_Mesh;
-        private Mesh m_Moving;
+        private Mesh m_Moving, m_Skinned;
 
         /// <summary>Makes a template of shapes that do not overlap; it takes over the shapes.</summary>
         public MeshTemplate(Mesh source, RiggedPart[] shapes)
@@ -22,6 +22,13 @@ namespace Alate
             Source = source;
             Shapes = shapes;
             Starts = new int[shapes.Length];
+            FirstJoints = new int[shapes.Length];
+            for (int s = 0; s < shapes.Length; s++)
+            {
+                FirstJoints[s] = JointCount;
+                JointCount += shapes[s].Rig.JointCount;
+            }
+
             IsPacked = DeformableMesh.CanPack;
             m_Mesh = Build(moves: false);
         }
@@ -34,6 +41,30 @@ namespace Alate
 
         /// <summary>[wing] Index of its first vertex in the copies.</summary>
         public int[] Starts { get; }
+
+        /// <summary>[wing] Its first joint among those of the mesh.</summary>
+        public int[] FirstJoints { get; }
+
+        /// <summary>Joints of all wings.</summary>
+        public int JointCount { get; }
+
+        /// <summary>
+        /// Mesh that the graphics card deforms, the same for all insects: at rest, with the joints of each vertex. Its bounds hold every
+        /// pose that the wings can take.
+        /// </summary>
+        public Mesh Skinned
+        {
+            get
+            {
+                if (m_Skinned == null)
+                {
+                    m_Skinned = SkinnedMesh.Build(this, Order(Source.vertexCount));
+                    m_Skinned.bounds = m_Mesh.bounds;
+                }
+
+                return m_Skinned;
+            }
+        }
 
         /// <summary>True where normals and tangents of the copies are signed bytes.</summary>
         public bool IsPacked { get; }
@@ -70,6 +101,7 @@ namespace Alate
                 shape.Rig.Release();
             ObjectEnd.Destroy(m_Mesh);
             ObjectEnd.Destroy(m_Moving);
+            ObjectEnd.Destroy(m_Skinned);
         }
 
         private Mesh Build(bool moves)

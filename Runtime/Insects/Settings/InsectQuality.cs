@@ -45,6 +45,11 @@ namespace Alate
             + "off without such effects.")]
         public bool motionVectors;
 
+        /// <summary>Choice of what deforms the meshes: the processor or the graphics card.</summary>
+        [Tooltip("What deforms the meshes. Cpu: the processor, on every device and with every shader. Gpu: the graphics card, in the "
+            + "shader Alate/Wing; insects of one mesh are then drawn together. Automatic: the graphics card where it can.")]
+        public WingSkinning skinning;
+
         /// <summary>Default settings: the preset's substeps, 64 patches, detail by screen size, nothing computed out of sight.</summary>
         public static InsectQuality Default => new InsectQuality
         {

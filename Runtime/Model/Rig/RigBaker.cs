@@ -47,7 +47,7 @@ namespace Alate
                 patches = new PatchLayout(rest, cells, triangles, centres, settings.patchCount),
                 coarsePatches = new PatchLayout(rest, cells, triangles, centres, WingRigSettings.CoarsePatches),
                 influences = new VertexInfluences(rest, weights),
-                skin = new SkinLayout(rest.CellCount, weights, surface, SurfaceNormals.Make(surface, frame)),
+                skin = new SkinLayout(rest, frame, weights, surface, SurfaceNormals.Make(surface, frame)),
             };
         }
 

@@ -44,6 +44,7 @@ namespace Alate
                 vertexCount = content.influences.joints.Length,
                 quadCount = content.skin.quads.Length,
                 leadingEdge = rest.leadingEdge,
+                skinReach = content.skin.reach,
                 chainRatio = (float*)Pointer(rest.chainRatio),
                 jointRatio = (float*)Pointer(rest.jointRatio),
                 restJoints = (float3*)restJoints.GetUnsafeReadOnlyPtr(),

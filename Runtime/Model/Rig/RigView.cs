@@ -27,6 +27,9 @@ namespace Alate
         /// <summary>e_LE: unit vector from root to tip of the principal chain, the axis of feathering.</summary>
         public float3 leadingEdge;
 
+        /// <summary>Largest distance of a vertex from the place between its joints that its weights name, mesh units.</summary>
+        public float skinReach;
+
         /// <summary>
         /// [n] ρ_i of Eq. 2: distance of the chain's root from the first chain's, over that of the last chain's; i/(n−1) when all roots are
         /// one.

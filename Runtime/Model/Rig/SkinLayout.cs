@@ -15,8 +15,12 @@ namespace Alate
         /// <summary>[quad] Tangents beside <see cref="quads"/>; null when the mesh has none.</summary>
         public readonly SkinTangentQuad[] tangents;
 
-        public SkinLayout(int cellCount, CellPoint[] points, SurfaceMesh surface, float3[] normals)
+        /// <summary>Largest distance of a vertex from the place between its joints that its weights name, mesh units.</summary>
+        public readonly float reach;
+
+        public SkinLayout(RestSkeleton rest, in WingFrame frame, CellPoint[] points, SurfaceMesh surface, float3[] normals)
         {
+            int cellCount = rest.CellCount;
             int[] order = new int[points.Length];
             int[] ranks = CellPoint.Ranks(points, cellCount, out int[] starts);
             for (int vertex = 0; vertex < order.Length; vertex++)
@@ -43,6 +47,18 @@ namespace Alate
                         Set(ref tangents[quad], lane % 4, surface.tangents[vertex]);
                 }
             }
+
+            for (int vertex = 0; vertex < points.Length; vertex++)
+                reach = math.max(reach, math.distance(surface.positions[vertex], frame.ToMesh(Named(rest, points[vertex]))));
+        }
+
+        // Place between the joints, wing frame.
+        private static float3 Named(RestSkeleton rest, CellPoint point)
+        {
+            int inner = rest.FirstJoint(point.cell), behind = inner + rest.jointsPerChain;
+            return math.lerp(
+                math.lerp(rest.joints[inner], rest.joints[inner + 1], point.v),
+                math.lerp(rest.joints[behind], rest.joints[behind + 1], point.v), point.u);
         }
 
         private static void Set(ref SkinQuad quad, int lane, int vertex, CellPoint at, float3 position, float3 normal)

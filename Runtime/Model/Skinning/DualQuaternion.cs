@@ -19,6 +19,13 @@ namespace Alate
             dual = 0.5f * math.mul(t, rotation).value;
         }
 
+        /// <summary>Moves a point, by a transform of unit length.</summary>
+        public float3 Move(float3 point)
+        {
+            float3 q = real.xyz, e = dual.xyz;
+            return point + 2f * (math.cross(q, math.cross(q, point) + real.w * point + e) + real.w * e - dual.w * q);
+        }
+
         /// <summary>Transform with its sign chosen to lie on the side of <paramref name="pivot"/> (antipodality).</summary>
         public DualQuaternion AlignedWith(in DualQuaternion pivot)
         {

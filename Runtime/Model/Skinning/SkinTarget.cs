@@ -4,7 +4,7 @@ namespace Alate
 {
     /// <summary>Wing as passed to the skinning job: its pose, its rig, and the vertices to write.</summary>
     /// <remarks>
-    /// 424 bytes a wing, the rig's view by value: a chunk of the job needs nothing but its target and the pack.
+    /// 432 bytes a wing, the rig's view by value: a chunk of the job needs nothing but its target and the pack.
     /// </remarks>
     internal unsafe struct SkinTarget
     {
@@ -35,6 +35,9 @@ namespace Alate
 
         /// <summary>[vertexCount] Ways of the vertices since the last picture; null where they are not wanted.</summary>
         public VertexDisplacement* displacements;
+
+        /// <summary>[jointCount] Transforms of the joints, in place of vertices; null where the job deforms the mesh.</summary>
+        public DualQuaternion* palette;
     }
 
     /// <summary>Work of one index of the skinning job: some quads of one wing.</summary>

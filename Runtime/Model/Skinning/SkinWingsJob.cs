@@ -36,6 +36,8 @@ namespace Alate
                 JobFields.InRange(target.lane, 0, WingPack.Lanes - 1, "SkinWingsJob.targets.lane");
                 JobFields.InRange(chunk.endQuad, 0, target.rig.quadCount, "SkinWingsJob.chunks.endQuad");
                 JobFields.InRange(chunk.firstQuad, 0, chunk.endQuad, "SkinWingsJob.chunks.firstQuad");
+                if (target.palette != null)
+                    continue;
                 JobFields.AtLeast(target.vertices == null && target.packedVertices == null ? 0 : target.rig.vertexCount,
                     target.rig.vertexCount, "SkinWingsJob.targets.vertices");
             }
@@ -51,6 +53,13 @@ namespace Alate
             ClockTime clock = clocks[pack.clock];
             if (!clock.IsDrawn)
                 return;
+            if (target.palette != null)
+            {
+                SkinPalette.Evaluate(pack, target, clock.alpha, target.palette);
+                bounds[index] = PaletteBounds.Of(target);
+                return;
+            }
+
             DualQuaternion* palette = stackalloc DualQuaternion[target.rig.jointCount];
             SkinPalette.Evaluate(pack, target, clock.alpha, palette);
             bounds[index] = SkinQuads(target, palette, chunk.firstQuad, chunk.endQuad);

@@ -11,5 +11,8 @@ namespace Alate
 
         /// <summary>Positions as floats, normals and tangents as signed bytes.</summary>
         NormalsAndTangents,
+
+        /// <summary>No vertices: the transforms of the joints, by which a graphics card deforms the mesh.</summary>
+        Joints,
     }
 }

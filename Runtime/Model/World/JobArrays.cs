@@ -84,7 +84,7 @@ namespace Alate
                     continue;
                 MarkCarrier(entry);
                 targets++;
-                entry.chunkCount = (entry.rig.View.quadCount + k_QuadsPerChunk - 1) / k_QuadsPerChunk;
+                entry.chunkCount = entry.palette.IsCreated ? 1 : (entry.rig.View.quadCount + k_QuadsPerChunk - 1) / k_QuadsPerChunk;
                 chunks += entry.chunkCount;
             }
 
@@ -279,6 +279,7 @@ namespace Alate
                 packedTangents = (int*)Pointer(entry.packedTangents),
                 displaces = entry.displaces,
                 displacements = (VertexDisplacement*)Pointer(entry.displacements),
+                palette = (DualQuaternion*)Pointer(entry.palette),
             };
             entry.firstChunk = m_ChunkCount;
             int quads = entry.rig.View.quadCount;

@@ -33,6 +33,9 @@ namespace Alate
         /// <summary>Ways of the vertices since the last picture; not created where they are not wanted.</summary>
         public NativeArray<VertexDisplacement> displacements;
 
+        /// <summary>Transforms of the joints; created where they take the place of vertices.</summary>
+        public NativeArray<DualQuaternion> palette;
+
         /// <summary>Index of the wing's first chunk in the skinning job, and number of chunks.</summary>
         public int firstChunk;
         public int chunkCount;
@@ -55,6 +58,12 @@ namespace Alate
             this.version = version;
             this.parameters = parameters;
             rig.Retain();
+            if (packing == VertexPacking.Joints)
+            {
+                palette = new NativeArray<DualQuaternion>(rig.JointCount, Allocator.Persistent);
+                return;
+            }
+
             if (moves)
                 displacements = new NativeArray<VertexDisplacement>(rig.VertexCount, Allocator.Persistent);
             bool hasTangents = rig.View.skinTangents != null;
@@ -78,6 +87,7 @@ namespace Alate
             GrowingArray.Free(ref packedVertices);
             GrowingArray.Free(ref packedTangents);
             GrowingArray.Free(ref displacements);
+            GrowingArray.Free(ref palette);
             rig.Release();
         }
     }

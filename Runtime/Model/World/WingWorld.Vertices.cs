@@ -25,6 +25,17 @@ namespace Alate
         /// <summary>Tangents of a wing that was added with packing; not created where they are not wanted, or the mesh has none.</summary>
         internal NativeArray<int> PackedTangents(WingHandle wing) => Entry(wing).packedTangents;
 
+        /// <summary>
+        /// Transforms of the joints, mesh space, of a wing that was added without vertices; not created for others.
+        /// </summary>
+        internal NativeArray<DualQuaternion> Palette(WingHandle wing) => Entry(wing).palette;
+
+        /// <summary>
+        /// Returns true where a picture has shown what the next one moves on from: false after a reset or a time in which the wing was not
+        /// deformed.
+        /// </summary>
+        internal bool IsMovedOn(WingHandle wing) => Entry(wing).displaces;
+
         /// <summary>Bounds of the vertices that the last <see cref="Skin"/> made, mesh space.</summary>
         /// <exception cref="ArgumentException">No such wing.</exception>
         public Bounds Bounds(WingHandle wing) => m_Arrays.Bounds(Entry(wing));

@@ -14,9 +14,12 @@ half _VertexColours, _Through, _Gloss, _Shine, _Cull, _Translucent;
 
 // On phones a texture is read with half the bits unless it is declared so.
 sampler2D_float _BakeMap;
-float4 _BakeMap_TexelSize;
+sampler2D_float _SkinMap;
+float4 _BakeMap_TexelSize, _SkinMap_TexelSize;
+float _SkinLast;
 #define ALATE_BAKE_SAMPLE(coordinates) tex2Dlod(_BakeMap, float4(coordinates, 0, 0)).xyz
-#include "../WingBaked.hlsl"
+#define ALATE_SKIN_SAMPLE(coordinates) tex2Dlod(_SkinMap, float4(coordinates, 0, 0))
+#include "../WingShape.hlsl"
 
 struct Attributes
 {
@@ -24,7 +27,7 @@ struct Attributes
     float3 normal : NORMAL;
     float2 uv : TEXCOORD0;
     half4 colour : COLOR;
-    ALATE_BAKED_INPUT
+    ALATE_SHAPE_INPUT
     UNITY_VERTEX_INPUT_INSTANCE_ID
 };
 
@@ -58,8 +61,8 @@ Varyings ToVaryings(Attributes v)
     UNITY_SETUP_INSTANCE_ID(v);
     UNITY_TRANSFER_INSTANCE_ID(v, o);
     UNITY_INITIALIZE_VERTEX_OUTPUT_STEREO(o);
-    ALATE_BAKE_POSITION(v, vertex)
-    ALATE_BAKE_NORMAL(v)
+    ALATE_SHAPE_POSITION(v, vertex)
+    ALATE_SHAPE_NORMAL(v)
     o.pos = UnityObjectToClipPos(v.vertex);
     o.place = mul(unity_ObjectToWorld, v.vertex).xyz;
     o.normal = UnityObjectToWorldNormal(v.normal);

@@ -6,10 +6,13 @@
 
 // On phones a texture is read with half the bits unless it is declared so.
 sampler2D_float _BakeMap;
-float4 _BakeMap_TexelSize;
+sampler2D_float _SkinMap;
+float4 _BakeMap_TexelSize, _SkinMap_TexelSize;
+float _SkinLast;
 #define ALATE_BAKE_SAMPLE(coordinates) tex2Dlod(_BakeMap, float4(coordinates, 0, 0)).xyz
+#define ALATE_SKIN_SAMPLE(coordinates) tex2Dlod(_SkinMap, float4(coordinates, 0, 0))
 #define ALATE_MOTION
-#include "../WingBaked.hlsl"
+#include "../WingShape.hlsl"
 #include "../WingMotion.hlsl"
 
 #if defined(USING_STEREO_MATRICES)
@@ -31,7 +34,7 @@ Varyings Vertex(Attributes corner)
     UNITY_INITIALIZE_OUTPUT(Varyings, v);
     UNITY_SETUP_INSTANCE_ID(corner);
     UNITY_INITIALIZE_VERTEX_OUTPUT_STEREO(v);
-    ALATE_BAKE_POSITION(corner, position)
+    ALATE_SHAPE_POSITION(corner, position)
     v.position = UnityObjectToClipPos(corner.position);
     v.now = mul(ALATE_PICTURE_NOW, mul(unity_ObjectToWorld, float4(corner.position.xyz, 1)));
     v.before = mul(ALATE_PICTURE_BEFORE, mul(_PreviousM, LastPosition(corner, _HasLastPositionData)));

@@ -7,7 +7,7 @@
 struct Attributes
 {
     float4 position : POSITION;
-    ALATE_BAKED_INPUT
+    ALATE_SHAPE_INPUT
     UNITY_VERTEX_INPUT_INSTANCE_ID
 };
 
@@ -22,7 +22,7 @@ Varyings Vertex(Attributes corner)
     Varyings v = (Varyings)0;
     UNITY_SETUP_INSTANCE_ID(corner);
     UNITY_INITIALIZE_VERTEX_OUTPUT_STEREO(v);
-    ALATE_BAKE_POSITION(corner, position)
+    ALATE_SHAPE_POSITION(corner, position)
     v.position = OnScreen(PlaceOf(corner.position));
     return v;
 }

@@ -9,7 +9,7 @@ struct Attributes
 {
     float4 position : POSITION;
     float3 normal : NORMAL;
-    ALATE_BAKED_INPUT
+    ALATE_SHAPE_INPUT
     UNITY_VERTEX_INPUT_INSTANCE_ID
 };
 
@@ -26,8 +26,8 @@ Varyings Vertex(Attributes corner)
     Varyings v = (Varyings)0;
     UNITY_SETUP_INSTANCE_ID(corner);
     UNITY_INITIALIZE_VERTEX_OUTPUT_STEREO(v);
-    ALATE_BAKE_POSITION(corner, position)
-    ALATE_BAKE_NORMAL(corner)
+    ALATE_SHAPE_POSITION(corner, position)
+    ALATE_SHAPE_NORMAL(corner)
     v.place = PlaceOf(corner.position);
     v.position = OnScreen(v.place);
     v.normal = TransformObjectToWorldNormal(corner.normal);

@@ -18,7 +18,7 @@ struct Attributes
     float3 normal : NORMAL;
     float2 uv : TEXCOORD0;
     half4 colour : COLOR;
-    ALATE_BAKED_INPUT
+    ALATE_SHAPE_INPUT
     UNITY_VERTEX_INPUT_INSTANCE_ID
 };
 
@@ -40,8 +40,8 @@ Varyings Vertex(Attributes corner)
     UNITY_SETUP_INSTANCE_ID(corner);
     UNITY_TRANSFER_INSTANCE_ID(corner, v);
     UNITY_INITIALIZE_VERTEX_OUTPUT_STEREO(v);
-    ALATE_BAKE_POSITION(corner, position)
-    ALATE_BAKE_NORMAL(corner)
+    ALATE_SHAPE_POSITION(corner, position)
+    ALATE_SHAPE_NORMAL(corner)
     v.place = PlaceOf(corner.position);
     v.position = OnScreen(v.place);
     v.normal = TransformObjectToWorldNormal(corner.normal);

@@ -20,6 +20,8 @@ CBUFFER_START(UnityPerMaterial)
     half _DstBlend;
     half _ZWrite;
     float4 _BakeMap_TexelSize;
+    float4 _SkinMap_TexelSize;
+    float _SkinLast;
 CBUFFER_END
 
 TEXTURE2D(_MainTex);
@@ -27,8 +29,11 @@ SAMPLER(sampler_MainTex);
 // On phones a texture is read with half the bits unless it is declared so.
 TEXTURE2D_FLOAT(_BakeMap);
 SAMPLER(sampler_BakeMap);
+TEXTURE2D_FLOAT(_SkinMap);
+SAMPLER(sampler_SkinMap);
 #define ALATE_BAKE_SAMPLE(coordinates) SAMPLE_TEXTURE2D_LOD(_BakeMap, sampler_BakeMap, coordinates, 0).xyz
-#include "../WingBaked.hlsl"
+#define ALATE_SKIN_SAMPLE(coordinates) SAMPLE_TEXTURE2D_LOD(_SkinMap, sampler_SkinMap, coordinates, 0)
+#include "../WingShape.hlsl"
 
 half4 Paint(half4 vertexColour, float2 uv)
 {

@@ -11,7 +11,7 @@ Varyings Vertex(Attributes corner)
     Varyings v = (Varyings)0;
     UNITY_SETUP_INSTANCE_ID(corner);
     UNITY_INITIALIZE_VERTEX_OUTPUT_STEREO(v);
-    ALATE_BAKE_POSITION(corner, position)
+    ALATE_SHAPE_POSITION(corner, position)
     v.position = OnScreen(PlaceOf(corner.position));
     v.now = mul(_NonJitteredViewProjMatrix, mul(UNITY_MATRIX_M, float4(corner.position.xyz, 1)));
     v.before = mul(_PrevViewProjMatrix, mul(UNITY_PREV_MATRIX_M, LastPosition(corner, unity_MotionVectorsParams.x == 1)));

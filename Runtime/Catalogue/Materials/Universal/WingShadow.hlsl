@@ -15,7 +15,7 @@ struct Attributes
     float3 normal : NORMAL;
     float2 uv : TEXCOORD0;
     half4 colour : COLOR;
-    ALATE_BAKED_INPUT
+    ALATE_SHAPE_INPUT
     UNITY_VERTEX_INPUT_INSTANCE_ID
 };
 
@@ -30,8 +30,8 @@ Varyings Vertex(Attributes corner)
 {
     Varyings v = (Varyings)0;
     UNITY_SETUP_INSTANCE_ID(corner);
-    ALATE_BAKE_POSITION(corner, position)
-    ALATE_BAKE_NORMAL(corner)
+    ALATE_SHAPE_POSITION(corner, position)
+    ALATE_SHAPE_NORMAL(corner)
     float3 place = PlaceOf(corner.position);
     float3 normal = TransformObjectToWorldNormal(corner.normal);
     #if defined(_CASTING_PUNCTUAL_LIGHT_SHADOW)

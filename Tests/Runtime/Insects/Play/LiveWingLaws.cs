@@ -120,8 +120,10 @@ namespace Alate.Tests.Play
             InsectWings insect = Hatch(made => made.enabled = false);
             yield return Frames(2);
             using (var world = new WingWorld())
+            using (var skins = new GpuSkins())
             {
-                var registry = new InsectRegistry(world, new AssetWatch<WingPreset, PresetValues>(asset => new PresetValues(asset)));
+                var registry = new InsectRegistry(
+                    world, new AssetWatch<WingPreset, PresetValues>(asset => new PresetValues(asset)), skins);
                 Assert.That(registry.IsEmpty && !registry.UpdateRegistry());
                 registry.Enter(insect);
                 Assert.That(registry.IsEmpty, Is.False);

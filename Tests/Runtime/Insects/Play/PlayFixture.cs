@@ -62,6 +62,8 @@ namespace Alate.Tests.Play
                 GeneratedAssets.InUse.Select(assets => (assets.Species, assets.Users)),
                 Is.EquivalentTo(m_Kept.Select(species => (species, 1))), "parts of generated insects were left behind");
             Assert.That(Resources.FindObjectsOfTypeAll<Mesh>(), Has.None.Property("name").Contains("(living)"));
+            Assert.That(Resources.FindObjectsOfTypeAll<Mesh>(), Has.None.Property("name").Contains("(joints)"));
+            Assert.That(SkinMaterials.LivingCount, Is.Zero, "copies of materials were left behind");
         }
 
         /// <summary>Destroyed at the end of the test.</summary>

@@ -6,7 +6,7 @@ using UnityEngine.TestTools;
 namespace Alate.Tests.Play
 {
     /// <summary>Random sequences of acts on insects break nothing, and all resources come back.</summary>
-    public sealed class RandomActsTests : PlayFixture
+    public class RandomActsTests : PlayFixture
     {
         private const int k_Acts = 3000, k_ManyActs = 10000, k_ActsPerFrame = 20;
 

@@ -312,7 +312,9 @@ namespace Alate.Tests.Play
             patient.enabled = false;
             var world = new WingWorld();
             world.Dispose();
-            var population = new InsectRegistry(world, new AssetWatch<WingPreset, PresetValues>(asset => new PresetValues(asset)));
+            using var skins = new GpuSkins();
+            var population = new InsectRegistry(
+                world, new AssetWatch<WingPreset, PresetValues>(asset => new PresetValues(asset)), skins);
             LogAssert.Expect(LogType.Exception, new Regex("ObjectDisposedException"));
             LogAssert.Expect(LogType.Warning, new Regex("'patient'.*an error came up.*disable and enable"));
 

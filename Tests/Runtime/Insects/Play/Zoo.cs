@@ -18,6 +18,7 @@ namespace Alate.Tests.Play
         private readonly Mesh[] m_Meshes = new Mesh[3];
         private readonly WingSkeleton[] m_Skeletons = new WingSkeleton[2];
         private readonly WingPreset[] m_Preset = new WingPreset[3];
+        private readonly Material[] m_Materials = new Material[2];
 
         public Zoo(int seed)
         {
@@ -31,6 +32,8 @@ namespace Alate.Tests.Play
             m_Preset[1] = Keep(InsectCatalogue.Monarch());
             m_Preset[2] = Keep(InsectCatalogue.Monarch());
             m_Preset[2].Beat.maxFrequency = 40f;
+            for (int material = 0; material < m_Materials.Length; material++)
+                m_Materials[material] = Keep(new Material(WingMaterial.FindShader()));
             for (int home = 0; home < 3; home++)
                 m_Homes.Add(new GameObject("home " + home).transform);
         }
@@ -49,7 +52,7 @@ namespace Alate.Tests.Play
             int at = m_Random.Next(m_Insects.Count);
             InsectWings insect = m_Insects[at];
             Transform body = insect.transform;
-            switch (m_Random.Next(16))
+            switch (m_Random.Next(19))
             {
                 case 0: insect.enabled = !insect.enabled; break;
                 case 1: insect.gameObject.SetActive(!insect.gameObject.activeSelf); break;
@@ -66,6 +69,9 @@ namespace Alate.Tests.Play
                 case 12: StepByHand(insect); break;
                 case 13: insect.UpdateMode = (WingUpdateMode)m_Random.Next(4); break;
                 case 14: insect.Teleport(m_Random.Next(2) == 0); break;
+                case 15: insect.Quality.skinning = (WingSkinning)m_Random.Next(3); break;
+                case 16: insect.Quality.motionVectors = m_Random.Next(2) == 0; break;
+                case 17: insect.Wings[m_Random.Next(2)].Renderer.sharedMaterial = m_Materials[m_Random.Next(2)]; break;
                 default: Tune(insect); break;
             }
         }
@@ -95,13 +101,18 @@ namespace Alate.Tests.Play
                 insect.enabled = false;
         }
 
-        /// <summary>Every filter shows a mesh that was authored.</summary>
+        /// <summary>Every filter shows a mesh that was authored, and every renderer a material that was.</summary>
         public void CheckAuthoredMeshes()
         {
             foreach (InsectWings insect in m_Insects)
             {
                 foreach (MeshFilter filter in insect.GetComponentsInChildren<MeshFilter>(true))
                     Assert.That(m_Meshes, Does.Contain(filter.sharedMesh), $"seed {m_Seed}: {insect.name} did not get its mesh back");
+                foreach (MeshRenderer renderer in insect.GetComponentsInChildren<MeshRenderer>(true))
+                {
+                    Assert.That(
+                        m_Materials, Does.Contain(renderer.sharedMaterial), $"seed {m_Seed}: {insect.name} did not get its material back");
+                }
             }
         }
 
@@ -138,7 +149,7 @@ namespace Alate.Tests.Play
                 insect.Wings.Add(
                     new Wing
                     {
-                        Renderer = wing.AddComponent<MeshRenderer>(),
+                        Renderer = Drawn(wing),
                         Side = (WingSide)side,
                         Skeleton = m_Skeletons[m_Random.Next(
                         2)]
@@ -150,6 +161,13 @@ namespace Alate.Tests.Play
             root.transform.position = Place(10f);
             root.SetActive(m_Random.Next(10) != 0);
             m_Insects.Add(insect);
+        }
+
+        private MeshRenderer Drawn(GameObject wing)
+        {
+            MeshRenderer renderer = wing.AddComponent<MeshRenderer>();
+            renderer.sharedMaterial = m_Materials[m_Random.Next(2)];
+            return renderer;
         }
 
         private void Destroy(int at, bool immediately)

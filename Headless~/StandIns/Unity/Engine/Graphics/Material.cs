@@ -32,6 +32,25 @@ public class Material : Object, ICopyable
             _tags.Add(tag, value);
     }
 
+    public void CopyPropertiesFromMaterial(Material mat)
+    {
+        renderQueue = mat.renderQueue;
+        enableInstancing = mat.enableInstancing;
+        doubleSidedGI = mat.doubleSidedGI;
+        _values.TakeFrom(mat._values);
+        _keywords.Clear();
+        _keywords.UnionWith(mat._keywords);
+    }
+
+    /// <summary>A number that changes with the content.</summary>
+    public int ComputeCRC()
+    {
+        int content = HashCode.Combine(shader, renderQueue, enableInstancing, doubleSidedGI, _values.Content());
+        foreach (string keyword in _keywords)
+            content ^= keyword.GetHashCode();
+        return content;
+    }
+
     public Shader shader { get; set; }
     public int renderQueue { get; set; } = -1;
     public bool enableInstancing { get; set; }

@@ -35,6 +35,15 @@ internal sealed class PropertyValues
     public T Get<T>(string name) => Get<T>(Shader.PropertyToID(name));
     public T Get<T>(int id) => _values.TryGetValue(id, out object value) && value is T t ? t : default;
     public bool Has(string name) => _values.ContainsKey(Shader.PropertyToID(name));
+    /// <summary>A number that changes with the values, without garbage.</summary>
+    public int Content()
+    {
+        int content = 0;
+        foreach ((int id, object value) in _values)
+            content ^= System.HashCode.Combine(id, value);
+        return content;
+    }
+
     public void Clear() => _values.Clear();
 
     public void TakeFrom(PropertyValues other)

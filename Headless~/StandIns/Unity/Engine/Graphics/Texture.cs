@@ -15,6 +15,7 @@ public enum TextureFormat
     RGBA32 = 4,
     ARGB32 = 5,
     RGBAHalf = 17,
+    RGBAFloat = 20,
 }
 
 public enum FilterMode

@@ -1,9 +1,12 @@
 using System;
+using System.Runtime.CompilerServices;
+using Unity.Collections;
 
 namespace UnityEngine;
 
 public sealed class Texture2D : Texture
 {
+    private readonly NativeArray<Color> _floats;
     private Color[] _pixels;
     private bool _isReadable = true;
 
@@ -18,9 +21,15 @@ public sealed class Texture2D : Texture
             throw new UnityException("Failed to create texture because of invalid parameters.");
         this.width = width;
         this.height = height;
+        format = textureFormat;
+        if (format == TextureFormat.RGBAFloat)
+        {
+            _floats = new NativeArray<Color>(width * height, Allocator.Persistent);
+            return;
+        }
+
         _pixels = new Color[width * height];
         Array.Fill(_pixels, new Color(0.8f, 0.8f, 0.8f, 0.8f));
-        format = textureFormat;
     }
 
     public Texture2D(int width, int height, TextureFormat textureFormat, bool mipChain, bool linear)
@@ -32,45 +41,58 @@ public sealed class Texture2D : Texture
 
     public override bool isReadable => _isReadable;
 
+    private Span<Color> Pixels => _floats.IsCreated ? _floats.AsSpan() : _pixels;
+
+    /// <summary>The memory itself, of a texture of floats: the only one whose pixels lie here as on the device.</summary>
+    public NativeArray<T> GetPixelData<T>(int mipLevel) where T : struct
+    {
+        CheckReadable();
+        if (mipLevel != 0)
+            throw new ArgumentException($"The texture has no mip level {mipLevel}.");
+        return _floats.IsCreated
+            ? _floats.Reinterpret<T>(Unsafe.SizeOf<Color>())
+            : throw new NotSupportedException($"No pixel data of {format}.");
+    }
+
     public Color GetPixel(int x, int y)
     {
         CheckReadable();
-        return _pixels[Place(x, y)];
+        return Pixels[Place(x, y)];
     }
 
     public Color[] GetPixels()
     {
         CheckReadable();
-        return (Color[])_pixels.Clone();
+        return Pixels.ToArray();
     }
 
     public Color32[] GetPixels32()
     {
         CheckReadable();
-        return Array.ConvertAll(_pixels, pixel => (Color32)pixel);
+        return Array.ConvertAll(Pixels.ToArray(), pixel => (Color32)pixel);
     }
 
     public void SetPixel(int x, int y, Color color)
     {
         CheckReadable();
-        _pixels[Place(x, y)] = color;
+        Pixels[Place(x, y)] = color;
     }
 
     public void SetPixels(Color[] colors)
     {
         CheckReadable();
-        if (colors.Length < _pixels.Length)
-            throw new ArgumentException($"The texture has {_pixels.Length} pixels, the array {colors.Length}.");
-        Array.Copy(colors, _pixels, _pixels.Length);
+        if (colors.Length < Pixels.Length)
+            throw new ArgumentException($"The texture has {Pixels.Length} pixels, the array {colors.Length}.");
+        colors.AsSpan(0, Pixels.Length).CopyTo(Pixels);
     }
 
     public void SetPixels32(Color32[] colors)
     {
         CheckReadable();
-        if (colors.Length < _pixels.Length)
-            throw new ArgumentException($"The texture has {_pixels.Length} pixels, the array {colors.Length}.");
-        for (int k = 0; k < _pixels.Length; k++)
-            _pixels[k] = colors[k];
+        if (colors.Length < Pixels.Length)
+            throw new ArgumentException($"The texture has {Pixels.Length} pixels, the array {colors.Length}.");
+        for (int k = 0; k < Pixels.Length; k++)
+            Pixels[k] = colors[k];
     }
 
     /// <summary>Takes the place of what a picture shows, which here is nothing: black.</summary>
@@ -85,7 +107,7 @@ public sealed class Texture2D : Texture
             return;
         }
 
-        Array.Fill(_pixels, Color.black);
+        Pixels.Fill(Color.black);
     }
 
     public void Apply() => CheckReadable();
@@ -105,6 +127,12 @@ public sealed class Texture2D : Texture
         height = newHeight;
         _pixels = Array.ConvertAll(pixels, pixel => (Color)pixel);
         _isReadable = readable;
+    }
+
+    private protected override void Released()
+    {
+        if (_floats.IsCreated)
+            _floats.Dispose();
     }
 
     private void CheckReadable()

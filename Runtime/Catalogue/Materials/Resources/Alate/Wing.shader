@@ -13,6 +13,8 @@ Shader "Alate/Wing"
         [Enum(UnityEngine.Rendering.CullMode)] _Cull ("Cull", Float) = 0
         [ToggleUI] _Translucent ("Translucent", Float) = 0
         [NoScaleOffset] _BakeMap ("Baked Loops", 2D) = "black" {}
+        [HideInInspector] [NoScaleOffset] _SkinMap ("Joints", 2D) = "black" {}
+        [HideInInspector] _SkinLast ("Texels to the Last Joints", Float) = 0
         [HideInInspector] _SrcBlend ("Source Blend", Float) = 1
         [HideInInspector] _DstBlend ("Destination Blend", Float) = 0
         [HideInInspector] _ZWrite ("Depth Write", Float) = 1
@@ -52,7 +54,7 @@ Shader "Alate/Wing"
             #pragma multi_compile_fragment _ _LIGHT_LAYERS
             #pragma multi_compile_fog
             #pragma multi_compile_instancing
-            #pragma multi_compile_local _ _BAKED
+            #pragma multi_compile_local _ _BAKED _SKINNED
             #include "../../Universal/WingForward.hlsl"
             ENDHLSL
         }
@@ -69,7 +71,7 @@ Shader "Alate/Wing"
             #pragma vertex Vertex
             #pragma fragment Fragment
             #pragma multi_compile_instancing
-            #pragma multi_compile_local _ _BAKED
+            #pragma multi_compile_local _ _BAKED _SKINNED
             #pragma multi_compile_vertex _ _CASTING_PUNCTUAL_LIGHT_SHADOW
             #include "../../Universal/WingShadow.hlsl"
             ENDHLSL
@@ -87,7 +89,7 @@ Shader "Alate/Wing"
             #pragma vertex Vertex
             #pragma fragment Fragment
             #pragma multi_compile_instancing
-            #pragma multi_compile_local _ _BAKED
+            #pragma multi_compile_local _ _BAKED _SKINNED
             #include "../../Universal/WingDepth.hlsl"
             ENDHLSL
         }
@@ -104,7 +106,7 @@ Shader "Alate/Wing"
             #pragma fragment Fragment
             #pragma multi_compile_fragment _ _GBUFFER_NORMALS_OCT
             #pragma multi_compile_instancing
-            #pragma multi_compile_local _ _BAKED
+            #pragma multi_compile_local _ _BAKED _SKINNED
             #include "../../Universal/WingDepthNormals.hlsl"
             ENDHLSL
         }
@@ -120,7 +122,7 @@ Shader "Alate/Wing"
             #pragma vertex Vertex
             #pragma fragment Fragment
             #pragma multi_compile_instancing
-            #pragma multi_compile_local _ _BAKED
+            #pragma multi_compile_local _ _BAKED _SKINNED
             #include "../../Universal/WingMotion.hlsl"
             ENDHLSL
         }
@@ -160,7 +162,7 @@ Shader "Alate/Wing"
             #pragma multi_compile_fragment _ _LIGHT_LAYERS
             #pragma multi_compile_fog
             #pragma multi_compile_instancing
-            #pragma multi_compile_local _ _BAKED
+            #pragma multi_compile_local _ _BAKED _SKINNED
             #include "../../Universal/WingForward.hlsl"
             ENDHLSL
         }
@@ -177,7 +179,7 @@ Shader "Alate/Wing"
             #pragma vertex Vertex
             #pragma fragment Fragment
             #pragma multi_compile_instancing
-            #pragma multi_compile_local _ _BAKED
+            #pragma multi_compile_local _ _BAKED _SKINNED
             #pragma multi_compile_vertex _ _CASTING_PUNCTUAL_LIGHT_SHADOW
             #include "../../Universal/WingShadow.hlsl"
             ENDHLSL
@@ -195,7 +197,7 @@ Shader "Alate/Wing"
             #pragma vertex Vertex
             #pragma fragment Fragment
             #pragma multi_compile_instancing
-            #pragma multi_compile_local _ _BAKED
+            #pragma multi_compile_local _ _BAKED _SKINNED
             #include "../../Universal/WingDepth.hlsl"
             ENDHLSL
         }
@@ -212,7 +214,7 @@ Shader "Alate/Wing"
             #pragma fragment Fragment
             #pragma multi_compile_fragment _ _GBUFFER_NORMALS_OCT
             #pragma multi_compile_instancing
-            #pragma multi_compile_local _ _BAKED
+            #pragma multi_compile_local _ _BAKED _SKINNED
             #include "../../Universal/WingDepthNormals.hlsl"
             ENDHLSL
         }
@@ -228,7 +230,7 @@ Shader "Alate/Wing"
             #pragma vertex Vertex
             #pragma fragment Fragment
             #pragma multi_compile_instancing
-            #pragma multi_compile_local _ _BAKED
+            #pragma multi_compile_local _ _BAKED _SKINNED
             #define ALATE_MOTION_BIAS
             #include "../../Universal/WingMotion.hlsl"
             ENDHLSL
@@ -254,7 +256,7 @@ Shader "Alate/Wing"
             #pragma multi_compile_fwdbase
             #pragma multi_compile_fog
             #pragma multi_compile_instancing
-            #pragma multi_compile_local _ _BAKED
+            #pragma multi_compile_local _ _BAKED _SKINNED
             #include "../../BuiltIn/WingInput.cginc"
 
             half4 Fragment(Varyings i) : SV_Target
@@ -288,7 +290,7 @@ Shader "Alate/Wing"
             #pragma multi_compile_fwdadd_fullshadows
             #pragma multi_compile_fog
             #pragma multi_compile_instancing
-            #pragma multi_compile_local _ _BAKED
+            #pragma multi_compile_local _ _BAKED _SKINNED
             #include "../../BuiltIn/WingInput.cginc"
 
             half4 Fragment(Varyings i) : SV_Target
@@ -317,7 +319,7 @@ Shader "Alate/Wing"
             #pragma fragment Fragment
             #pragma multi_compile_shadowcaster
             #pragma multi_compile_instancing
-            #pragma multi_compile_local _ _BAKED
+            #pragma multi_compile_local _ _BAKED _SKINNED
             #include "../../BuiltIn/WingInput.cginc"
 
             struct Shadow
@@ -334,8 +336,8 @@ Shader "Alate/Wing"
                 UNITY_INITIALIZE_OUTPUT(Shadow, o);
                 UNITY_SETUP_INSTANCE_ID(v);
                 UNITY_INITIALIZE_VERTEX_OUTPUT_STEREO(o);
-                ALATE_BAKE_POSITION(v, vertex)
-                ALATE_BAKE_NORMAL(v)
+                ALATE_SHAPE_POSITION(v, vertex)
+                ALATE_SHAPE_NORMAL(v)
 
                 // A wing lit from below is lit: the bias must lead away from the light on either side.
                 float3 toLight = UnityWorldSpaceLightDir(mul(unity_ObjectToWorld, v.vertex).xyz);
@@ -365,7 +367,7 @@ Shader "Alate/Wing"
             #pragma target 3.0
             #pragma vertex Vertex
             #pragma fragment Fragment
-            #pragma multi_compile_local _ _BAKED
+            #pragma multi_compile_local _ _BAKED _SKINNED
             #include "../../BuiltIn/WingMotion.cginc"
             ENDCG
         }
