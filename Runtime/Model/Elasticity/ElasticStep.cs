@@ -27,7 +27,7 @@ namespace Alate
             Turn(pack, scratch);
             for (int joint = 0; joint < pack.rig.jointCount; joint++)
             {
-                pack.offsets[joint] = pack.offsets[joint] * kept;
+                pack.offsets[joint] = SoaMath.Faded(pack.offsets[joint], kept);
                 pack.offsetRates[joint] = default;
                 pack.earlierOffsets[joint] = pack.offsets[joint];
                 pack.earlierOffsetRates[joint] = default;

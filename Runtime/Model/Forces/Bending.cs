@@ -96,7 +96,7 @@ namespace Alate
         {
             for (int bone = 0; bone < pack.rig.boneCount; bone++)
             {
-                pack.bendAngles[bone] = pack.bendAngles[bone] * kept;
+                pack.bendAngles[bone] = SoaMath.Faded(pack.bendAngles[bone], kept);
                 pack.bendRates[bone] = default;
                 pack.earlierAngles[bone] = pack.bendAngles[bone];
                 pack.earlierRates[bone] = default;

@@ -88,6 +88,27 @@ namespace Alate.Tests
             }
         }
 
+        // Subnormal numbers cost a hundred times as much; an exponential fading ends in them after twenty beats.
+        [Test]
+        public void AWingOfWavesAlone_IsUnbentInTheEnd_AndHasNoSubnormalNumbers()
+        {
+            using (var fixture = new PackFixture(Monarch.Rig(16), Monarch.Parameters))
+            {
+                ref WingPack pack = ref fixture.Pack;
+                float frequency = pack.beat->frequency.x;
+                pack.bendAngles[3] = Lanes.All(0.2f, -0.1f, 0.05f);
+                pack.offsets[6] = Lanes.All(0.01f, 0.02f, -0.02f);
+                for (int step = 0; step < 30 * 12; step++)
+                {
+                    PackStep.WavesSubstep(pack, fixture.scratch, 1f / (12f * frequency));
+                    for (int k = 0; k < 4 * pack.stateCount; k++)
+                        Assert.That(((float*)pack.state)[k] == 0f || math.abs(((float*)pack.state)[k]) >= 1.17549435e-38f, $"step {step}");
+                }
+
+                Assert.That(math.length(pack.bendAngles[3][1]) + math.length(pack.offsets[6][1]), Is.Zero);
+            }
+        }
+
         // Far away the bend of a wing that is only waved fades by exp(−4) a beat.
         [Test]
         public void AWingOfWavesAlone_LosesItsBendInABeat()
