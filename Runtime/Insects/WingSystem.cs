@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using UnityEngine;
 using UnityEngine.SceneManagement;
@@ -15,6 +16,7 @@ namespace Alate
         private const float k_Patience = 10f;
 
         private static WingSystem s_Instance;
+        private static float s_Budget;
         private FrameLoop m_Loop;
         private double m_EmptySince = double.PositiveInfinity;
 
@@ -34,6 +36,27 @@ namespace Alate
         /// main camera; without a camera, all insects have full detail.
         /// </summary>
         public static List<Camera> DetailCameras { get; } = new List<Camera>();
+
+        /// <summary>
+        /// Time of the main thread that the wings of all insects may take of a frame, waiting for their jobs included; milliseconds, 0 for
+        /// no bound, the default. While it is exceeded, insects have less detail than their size on the screen gives them, the farther from
+        /// the nearest the less; the nearest keeps its own, and none comes to rest for it. Insects without levels of detail are left alone,
+        /// and without a camera all are.
+        /// </summary>
+        /// <exception cref="ArgumentOutOfRangeException">The time is negative or not finite.</exception>
+        public static float Budget
+        {
+            get => s_Budget;
+            set
+            {
+                if (!(value >= 0f) || float.IsInfinity(value))
+                    throw new ArgumentOutOfRangeException(nameof(value), value, "Must be 0 or more and finite, milliseconds.");
+                s_Budget = value;
+            }
+        }
+
+        /// <summary>Time of the main thread for the wings of a frame, mean over the last half second or so; milliseconds.</summary>
+        public static float MeanTime => Loop?.MeanTime ?? 0f;
 
         /// <summary>
         /// Time for which the system and baked content wait for insects that come back, as those of a pool do; seconds of real time.
@@ -75,6 +98,7 @@ namespace Alate
         private static void Forget()
         {
             s_Instance = null;
+            s_Budget = 0f;
             DetailCameras.Clear();
             Patience = k_Patience;
         }

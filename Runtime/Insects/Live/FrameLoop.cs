@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Diagnostics;
 using Unity.Jobs;
 using Unity.Mathematics;
 using UnityEngine;
@@ -46,6 +47,9 @@ namespace Alate
         /// <summary>Step jobs scheduled so far.</summary>
         public long StepCount { get; private set; }
 
+        /// <summary>Time of the main thread for the wings of a frame, mean over the last ones, milliseconds.</summary>
+        public float MeanTime => m_Viewers.Budget.Mean;
+
         /// <summary>Looks for wind zones before the next step.</summary>
         public void FindWindZones() => m_WindZones.Forget();
 
@@ -58,6 +62,7 @@ namespace Alate
         /// <summary>Runs one fixed step of the physics.</summary>
         public void FixedStep(float dt)
         {
+            long start = Stopwatch.GetTimestamp();
             using (SystemMarkers.fixedStep.Auto())
             {
                 Wait();
@@ -68,11 +73,14 @@ namespace Alate
                 Schedule();
                 JobHandle.ScheduleBatchedJobs();
             }
+
+            Spend(start);
         }
 
         /// <summary>Runs the end of a frame: starts and removes insects, steps the clocks of the frame, and skins the meshes.</summary>
         public void Frame(float dt, float unscaledDt)
         {
+            long start = Stopwatch.GetTimestamp();
             using (SystemMarkers.frame.Auto())
             {
                 Wait();
@@ -95,6 +103,8 @@ namespace Alate
             }
 
             WriteCounters();
+            Spend(start);
+            m_Viewers.Budget.EndFrame(WingSystem.Budget);
         }
 
         /// <summary>Steps one insect by hand; starts it now where it still waits.</summary>
@@ -136,6 +146,9 @@ namespace Alate
             SystemCounter.steps.Set(0);
             SystemCounter.resets.Set(0);
         }
+
+        private void Spend(long start) =>
+            m_Viewers.Budget.Spend((float)((Stopwatch.GetTimestamp() - start) * 1000.0 / Stopwatch.Frequency));
 
         private void ApplyParameters(bool physics)
         {

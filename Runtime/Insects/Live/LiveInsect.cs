@@ -227,6 +227,21 @@ namespace Alate
             }
         }
 
+        /// <summary>Level of detail by size and budget. Who is only far from the nearest does not come to rest.</summary>
+        /// <param name="levels">Sizes below which each level begins.</param>
+        /// <param name="height">Share of the screen's height.</param>
+        /// <param name="now">The present level.</param>
+        /// <param name="budget">Time that all wings may take.</param>
+        public static WingDetail Choose(in ScreenHeights levels, float height, WingDetail now, DetailBudget budget)
+        {
+            WingDetail own = levels.Choose(height, now);
+            float counted = budget.Counted(height);
+            if (!budget.IsTight || own >= WingDetail.WavesOnly)
+                return own;
+            WingDetail cheaper = levels.Choose(counted, now);
+            return cheaper < WingDetail.WavesOnly ? cheaper : WingDetail.WavesOnly;
+        }
+
         private WingDetail Wanted(Viewers viewers)
         {
             // Where nothing is computed nobody else looks where the wings are.
@@ -235,7 +250,8 @@ namespace Alate
             if (!insect.Quality.levelOfDetail || !viewers.Any || !wings[0].placed.isValid)
                 return WingDetail.Full;
             float height = viewers.ScreenHeight(wings[0].placed.hinge, wings[0].placed.length);
-            WingDetail wanted = insect.Quality.screenHeights.Choose(height, m_Resting ? WingDetail.Frozen : Detail);
+            WingDetail now = m_Resting ? WingDetail.Frozen : Detail;
+            WingDetail wanted = Choose(insect.Quality.screenHeights, height, now, viewers.Budget);
             return insect.Quality.keepForces && wanted > WingDetail.CoarsePatches ? WingDetail.CoarsePatches : wanted;
         }
 

@@ -10,6 +10,9 @@ namespace Alate
     {
         private readonly List<Viewer> m_Viewers = new List<Viewer>();
 
+        /// <summary>Time that the wings may take.</summary>
+        public DetailBudget Budget { get; } = new DetailBudget();
+
         /// <summary>True where there is a camera.</summary>
         public bool Any => m_Viewers.Count > 0;
 
