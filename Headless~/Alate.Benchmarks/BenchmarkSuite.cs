@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using System.IO;
 using System.Runtime.InteropServices;
 using System.Text.Json;
@@ -54,6 +55,7 @@ public static class BenchmarkSuite
         SubstepBreakdown.Run(report, monarch, version01);
         OnOneCore(() => Crowds(report, monarch, version01, plain));
         SystemFigures.Run(report);
+        LivingFigures.Run(report);
         OnOneCore(() => UploadComparison.Run(report, monarch));
         OnOneCore(() => BakedFigures.Run(report));
         AuthoringFigures.Run(report);
@@ -71,6 +73,15 @@ public static class BenchmarkSuite
 
         FlightComparison.Run(report);
         SpeciesFigures.Run(report);
+    }
+
+    /// <summary>Measures frames of crowds that live, on all cores, and of baked ones, on one.</summary>
+    internal static List<LivingFrame> MeasureCrowds(TextWriter output)
+    {
+        var report = new Report(output);
+        List<LivingFrame> frames = LivingFigures.Run(report);
+        OnOneCore(() => frames.AddRange(BakedFigures.Run(report)));
+        return frames;
     }
 
     private static void OnOneCore(Action measure)

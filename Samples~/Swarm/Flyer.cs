@@ -40,6 +40,12 @@ namespace Alate.Samples
             set => m_Insect.Quality.levelOfDetail = value;
         }
 
+        /// <summary>True where the graphics card may deform its wings.</summary>
+        public bool UsesCard
+        {
+            set => m_Insect.Quality.skinning = value ? WingSkinning.Automatic : WingSkinning.Cpu;
+        }
+
         /// <summary>Moves it to where it is at a time, seconds.</summary>
         public void Fly(float time)
         {
@@ -52,10 +58,13 @@ namespace Alate.Samples
         }
 
         /// <summary>Colours its wings.</summary>
-        public void Tint(MaterialPropertyBlock tint)
+        /// <param name="tint">Properties of a renderer of its own.</param>
+        /// <param name="instanceTint">Properties of an instance, where the graphics card deforms the wings.</param>
+        public void Tint(MaterialPropertyBlock tint, MaterialPropertyBlock instanceTint)
         {
+            bool onCard = m_Insect.Quality.skinning != WingSkinning.Cpu && m_Insect.SkinningObstacle.Length == 0;
             foreach (Wing wing in m_Insect.Wings)
-                wing.Renderer.SetPropertyBlock(tint);
+                wing.Renderer.SetPropertyBlock(onCard ? instanceTint : tint);
         }
 
         /// <summary>Ends it.</summary>

@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using Alate.Catalogue;
 using Alate.Crowds;
 using Unity.Collections;
@@ -20,7 +21,8 @@ internal static class BakedFigures
 
     private static readonly int[] s_Crowds = [1, 100, 1000, 10000];
 
-    public static void Run(Report report)
+    /// <summary>Measures all crowds.</summary>
+    public static List<LivingFrame> Run(Report report)
     {
         PlayerLoop.EnterPlayMode();
         ProjectShaders.Add(WingMaterial.ShaderName, "Alate/Wing");
@@ -39,15 +41,17 @@ internal static class BakedFigures
         Camera other = new GameObject("other").AddComponent<Camera>();
         other.transform.position = new Vector3(60f, 0f, 0f);
         other.transform.rotation = Quaternion.Euler(0f, -90f, 0f);
+        var frames = new List<LivingFrame>();
         foreach (int count in s_Crowds)
-            Measure(report, baked, eye, other, count);
+            frames.Add(Measure(report, baked, eye, other, count));
         baked.DestroyParts();
         Object.DestroyImmediate(baked);
         ProjectShaders.Clear();
         PlayerLoop.ExitPlayMode();
+        return frames;
     }
 
-    private static void Measure(Report report, BakedInsect baked, Camera eye, Camera other, int count)
+    private static LivingFrame Measure(Report report, BakedInsect baked, Camera eye, Camera other, int count)
     {
         InsectCrowd crowd = new GameObject("crowd").AddComponent<InsectCrowd>();
         crowd.Insect = baked;
@@ -76,6 +80,7 @@ internal static class BakedFigures
         report.Figure("baked_draw_calls", $"{count}", "  drawn by", "calls", crowd.DrawCalls);
         report.Figure("baked_triangles", $"{count}", "  triangles", "thousands", crowd.Triangles / 1000.0);
         Object.DestroyImmediate(crowd.gameObject);
+        return new LivingFrame(LivingCrowd.Baked, count, 1e-3 * times[0], 1e-3 * times[2], times[0] / count);
 
         void Frame(params ReadOnlySpan<Camera> cameras)
         {

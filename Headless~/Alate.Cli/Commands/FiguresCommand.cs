@@ -27,8 +27,8 @@ internal static class FiguresCommand
     {
         var folder = new Argument<string>("DIR")
         {
-            Description = $"The folder of the documentation, with {k_Page}, {AccuracyFigures.Page}, {FlightFigures.Page} and "
-                + $"{WakeFigures.Page} in it.",
+            Description = $"The folder of the documentation, with {k_Page}, {AccuracyFigures.Page}, {FlightFigures.Page}, "
+                + $"{WakeFigures.Page} and {PerformanceFigures.Page} in it.",
             DefaultValueFactory = _ => "Documentation~",
         };
         var pictures =
@@ -81,7 +81,12 @@ internal static class FiguresCommand
         string page = Text(Path.Combine(path, k_Page));
         string accuracy = Text(Path.Combine(path, AccuracyFigures.Page));
         string flight = Text(Path.Combine(path, FlightFigures.Page)), wake = Text(Path.Combine(path, WakeFigures.Page));
-        string[] files = [k_Page, FlightFigures.Page, WanderFigures.Picture, .. AccuracyFigures.Files, .. WakeFigures.Files, .. Pictures];
+        string performance = Text(Path.Combine(path, PerformanceFigures.Page));
+        string[] files =
+        [
+            k_Page, FlightFigures.Page, WanderFigures.Picture, .. AccuracyFigures.Files, .. WakeFigures.Files,
+            .. PerformanceFigures.Files, .. Pictures,
+        ];
         Make(path, files, output, InsectCatalogue.All.Sum(species => species.Variants.Count) + 2, (folder, done, stage) =>
         {
             List<FlightSummary> summaries = Measure(InsectCatalogue.All, MeasuredSubsteps, done);
@@ -96,6 +101,9 @@ internal static class FiguresCommand
             Write(folder, WanderFigures.Picture, wandering);
             stage("measuring errors and winds");
             foreach ((string name, string text) in AccuracyFigures.Make(accuracy).Concat(WakeFigures.Make(wake)))
+                Write(folder, name, text);
+            stage("measuring frames of crowds");
+            foreach ((string name, string text) in PerformanceFigures.Make(performance))
                 Write(folder, name, text);
         });
     }

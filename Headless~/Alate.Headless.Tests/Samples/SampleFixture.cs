@@ -26,7 +26,7 @@ public abstract class SampleFixture<T> : PlayFixture where T : MonoBehaviour
     {
         GiveBackParts();
         yield return Frames(2);
-        int before = Count();
+        string[] before = Left();
         yield return Begin();
         Shrink();
         yield return Frames(60);
@@ -45,7 +45,7 @@ public abstract class SampleFixture<T> : PlayFixture where T : MonoBehaviour
 
         Object.Destroy(Sample.gameObject);
         yield return Frames(2);
-        Assert.That(Count(), Is.EqualTo(before), "something was left behind");
+        Assert.That(Left(), Is.EqualTo(before), "something was left behind");
         Assert.That(WingSystem.InsectCount, Is.Zero);
 
         yield return Begin();
@@ -65,8 +65,9 @@ public abstract class SampleFixture<T> : PlayFixture where T : MonoBehaviour
             yield return null;
     }
 
-    private static int Count() =>
-        Resources.FindObjectsOfTypeAll<Mesh>().Length + Resources.FindObjectsOfTypeAll<Material>().Length
-        + Resources.FindObjectsOfTypeAll<Texture2D>().Length
-        + Resources.FindObjectsOfTypeAll<ScriptableObject>().Length + Resources.FindObjectsOfTypeAll<GameObject>().Length;
+    // Kinds and names of what there is; the skin of the screen is made once.
+    private static string[] Left() =>
+        [.. Resources.FindObjectsOfTypeAll<Object>()
+            .Where(made => made is Mesh or Material or Texture2D or GameObject or (ScriptableObject and not GUISkin))
+            .Select(made => $"{made.GetType().Name} {made.name}").Order()];
 }

@@ -87,5 +87,21 @@ public sealed class SwarmSampleTests : SampleFixture<SwarmSample>
         Assert.That(seen.Select(insect => insect.Detail), Is.All.EqualTo(WingDetail.Full));
     }
 
+    [UnityTest]
+    public IEnumerator TheBudget_IsThatOfTheSlider_AndEndsWithTheSample()
+    {
+        yield return Begin();
+        DrawnScreen.Slide("Insects", 12f);
+        yield return Frames(6);
+        DrawnScreen.Slide("Budget", 3f);
+        yield return Frames(6);
+        Assert.That(WingSystem.Budget, Is.EqualTo(3f));
+        Assert.That(DrawnScreen.Controls.Any(control => control.Text == "Budget: 3.0 ms"));
+        Assert.That(WingSystem.MeanTime, Is.GreaterThan(0f));
+        Object.Destroy(Sample.gameObject);
+        yield return null;
+        Assert.That(WingSystem.Budget, Is.Zero);
+    }
+
     protected override void Shrink() => DrawnScreen.Slide("Insects", 40f);
 }

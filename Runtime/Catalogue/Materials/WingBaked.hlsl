@@ -51,13 +51,4 @@ float3 AlateBakedBefore(float2 first, float3 now)
 
 #endif
 
-half3 AlateTint()
-{
-    #if defined(_BAKED) && defined(INSTANCING_ON)
-    return half3(UNITY_ACCESS_INSTANCED_PROP(AlateBaked, _BakeTint).rgb);
-    #else
-    return half3(1, 1, 1);
-    #endif
-}
-
 #endif

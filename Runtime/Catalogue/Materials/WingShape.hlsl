@@ -27,4 +27,16 @@
 #define ALATE_SHAPE_NORMAL(corner)
 #endif
 
+// Of an instance.
+half3 AlateTint()
+{
+    #if defined(_BAKED) && defined(INSTANCING_ON)
+    return half3(UNITY_ACCESS_INSTANCED_PROP(AlateBaked, _BakeTint).rgb);
+    #elif defined(_SKINNED)
+    return half3(UNITY_ACCESS_INSTANCED_PROP(AlateSkinned, _SkinTint).rgb);
+    #else
+    return half3(1, 1, 1);
+    #endif
+}
+
 #endif

@@ -1,5 +1,5 @@
 // Live wings that the graphics card deforms: a texture holds the dual quaternions of the joints of all wings, two texels each, and an instance says where those of its
-// mesh begin. A corner knows the first joint of its cell, how many joints further the next chain has its own, and its place in the cell. Needs _SkinMap_TexelSize,
+// mesh begin, and its tint. A corner knows the first joint of its cell, how many joints further the next chain has its own, and its place in the cell. Needs _SkinMap_TexelSize,
 // _SkinLast (texels to what the last picture showed) and ALATE_SKIN_SAMPLE(coordinates).
 #ifndef ALATE_WING_SKINNED
 #define ALATE_WING_SKINNED
@@ -8,6 +8,7 @@
 
 UNITY_INSTANCING_BUFFER_START(AlateSkinned)
     UNITY_DEFINE_INSTANCED_PROP(float, _SkinStart)
+    UNITY_DEFINE_INSTANCED_PROP(float4, _SkinTint)
 UNITY_INSTANCING_BUFFER_END(AlateSkinned)
 
 // The width is a power of two: every step is exact.

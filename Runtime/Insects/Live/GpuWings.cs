@@ -6,9 +6,10 @@ namespace Alate
     /// <summary>Wings that the graphics card deforms: their joints go into the texture that all insects share.</summary>
     internal sealed class GpuWings : ShownWings
     {
-        private static readonly int s_Start = Shader.PropertyToID("_SkinStart");
+        private static readonly int s_Start = Shader.PropertyToID("_SkinStart"), s_Tint = Shader.PropertyToID("_SkinTint");
         private static readonly List<Material> s_Shown = new List<Material>();
 
+        private readonly MaterialPropertyBlock m_Properties = new MaterialPropertyBlock();
         private readonly MeshTemplate m_Template;
         private readonly Renderer m_Renderer;
         private readonly GpuSkins m_Skins;
@@ -69,6 +70,14 @@ namespace Alate
 
         public override void Upload(WingWorld world, LiveWing[] wings)
         {
+            // A script may have set properties of its own in place of all.
+            m_Renderer.GetPropertyBlock(m_Properties);
+            if (!IsTold)
+            {
+                m_HadProperties[0] = true;
+                Tell(-1);
+            }
+
             for (int w = 0; w < wings.Length; w++)
             {
                 m_Skins.Table.Write(
@@ -91,7 +100,7 @@ namespace Alate
                 {
                     if (k < m_Copies.Length && ReferenceEquals(shown[k], m_Copies[k]))
                         shown[k] = m_Sources[k];
-                    else if (shown[k] != null)
+                    else if (shown[k] != null && shown[k].IsKeywordEnabled(SkinMaterials.Keyword))
                         shown[k].DisableKeyword(SkinMaterials.Keyword);
                 }
 
@@ -107,16 +116,23 @@ namespace Alate
         // Properties of a material's own hide those of the renderer.
         private void TellStart()
         {
-            var properties = new MaterialPropertyBlock();
             for (int k = -1; k < m_Copies.Length; k++)
             {
-                Read(properties, k);
-                m_HadProperties.Add(!properties.isEmpty);
-                if (k >= 0 && properties.isEmpty)
-                    continue;
-                properties.SetFloat(s_Start, m_Start);
-                Write(properties, k);
+                Read(k);
+                m_HadProperties.Add(!m_Properties.isEmpty);
+                if (k < 0 || !m_Properties.isEmpty)
+                    Tell(k);
             }
+        }
+
+        private bool IsTold => m_Properties.HasFloat(s_Start) && m_Properties.GetFloat(s_Start) == m_Start && m_Properties.HasColor(s_Tint);
+
+        private void Tell(int material)
+        {
+            m_Properties.SetFloat(s_Start, m_Start);
+            if (!m_Properties.HasColor(s_Tint))
+                m_Properties.SetColor(s_Tint, Color.white);
+            Write(m_Properties, material);
         }
 
         private void ForgetStart(int materials)
@@ -128,12 +144,12 @@ namespace Alate
             }
         }
 
-        private void Read(MaterialPropertyBlock properties, int material)
+        private void Read(int material)
         {
             if (material < 0)
-                m_Renderer.GetPropertyBlock(properties);
+                m_Renderer.GetPropertyBlock(m_Properties);
             else
-                m_Renderer.GetPropertyBlock(properties, material);
+                m_Renderer.GetPropertyBlock(m_Properties, material);
         }
 
         private void Write(MaterialPropertyBlock properties, int material)

@@ -41,7 +41,7 @@ namespace Alate
         /// <summary>Joints in use.</summary>
         public int Joints { get; private set; }
 
-        /// <summary>Takes a block of joints.</summary>
+        /// <summary>Takes a block of joints, at rest.</summary>
         /// <param name="joints">How many.</param>
         /// <param name="moves">Whether those of the last picture are wanted too.</param>
         /// <param name="start">The first joint.</param>
@@ -62,6 +62,7 @@ namespace Alate
             m_Movers = movers;
             Joints += joints;
             Reserve(rows, parts);
+            Rest(start, joints);
             return true;
         }
 
@@ -114,6 +115,19 @@ namespace Alate
         {
             ObjectEnd.Destroy(Texture);
             Texture = null;
+        }
+
+        // Until a wing is drawn for the first time.
+        private void Rest(int start, int joints)
+        {
+            NativeArray<float4> texels = Texture.GetPixelData<float4>(0);
+            for (int texel = start * k_TexelsOfAJoint; texel < (start + joints) * k_TexelsOfAJoint; texel += k_TexelsOfAJoint)
+            {
+                texels[texel] = texels[texel + Last] = quaternion.identity.value;
+                texels[texel + 1] = texels[texel + Last + 1] = float4.zero;
+            }
+
+            m_IsWritten = true;
         }
 
         private void Reserve(int rows, int parts)

@@ -11,18 +11,21 @@ namespace Alate
         /// </summary>
         private const float k_Bulge = 0.01f;
 
-        /// <summary>Box around the vertices of a target whose palette is filled, mesh space.</summary>
-        public static ChunkBounds Of(in SkinTarget target)
+        /// <summary>Box around the vertices of a wing, mesh space.</summary>
+        /// <param name="rig">Its rig.</param>
+        /// <param name="frame">Its frame.</param>
+        /// <param name="palette">[jointCount] Transforms of its joints.</param>
+        public static ChunkBounds Of(in RigView rig, in WingFrame frame, DualQuaternion* palette)
         {
             float3 least = float.PositiveInfinity, most = float.NegativeInfinity;
-            for (int joint = 0; joint < target.rig.jointCount; joint++)
+            for (int joint = 0; joint < rig.jointCount; joint++)
             {
-                float3 place = target.palette[joint].Move(target.frame.ToMesh(target.rig.restJoints[joint]));
+                float3 place = palette[joint].Move(frame.ToMesh(rig.restJoints[joint]));
                 least = math.min(least, place);
                 most = math.max(most, place);
             }
 
-            float margin = target.rig.skinReach + k_Bulge * target.frame.length;
+            float margin = rig.skinReach + k_Bulge * frame.length;
             return new ChunkBounds { min = least - margin, max = most + margin };
         }
     }

@@ -56,7 +56,6 @@ namespace Alate
             if (target.palette != null)
             {
                 SkinPalette.Evaluate(pack, target, clock.alpha, target.palette);
-                bounds[index] = PaletteBounds.Of(target);
                 return;
             }
 

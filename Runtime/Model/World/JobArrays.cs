@@ -191,7 +191,9 @@ namespace Alate
         /// <summary>Bounds of one wing's deformed vertices.</summary>
         public Bounds Bounds(WingEntry entry)
         {
-            ChunkBounds all = m_Stale ? entry.bounds : Merged(entry);
+            ChunkBounds all = entry.palette.IsCreated
+                ? PaletteBounds.Of(entry.rig.View, entry.rig.Frame, (DualQuaternion*)Pointer(entry.palette))
+                : m_Stale ? entry.bounds : Merged(entry);
             return new Bounds(0.5f * (all.min + all.max), all.max - all.min);
         }
 

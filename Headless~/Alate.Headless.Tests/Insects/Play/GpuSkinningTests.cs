@@ -1,6 +1,5 @@
 using System;
 using System.Collections;
-using System.Collections.Generic;
 using System.Linq;
 using System.Text.RegularExpressions;
 using Alate.Catalogue;
@@ -63,6 +62,33 @@ public sealed class GpuSkinningTests : FlockFixture
     }
 
     [UnityTest]
+    public IEnumerator BeforeItsFirstStep_AWingIsWhereTheProcessorPutsIt_AlsoInThePlaceOfAnotherThatWent([Values] bool motion)
+    {
+        InsectWings gone = Hatched(WingSkinning.Gpu, made => made.Quality.motionVectors = motion);
+        yield return Frames(10);
+        int start = GpuSkinReader.Start(gone.Wings[0].Renderer);
+        InsectWings other = Hatched(WingSkinning.Gpu);
+        yield return Frames(2);
+        gone.enabled = false;
+        yield return null;
+        InsectWings insect = Unmoved(WingSkinning.Gpu, motion), cpu = Unmoved(WingSkinning.Cpu, motion);
+        Time.timeScale = 0f;
+        yield return Frames(3);
+        Renderer renderer = insect.Wings[0].Renderer;
+        Assert.That(insect.Wings.Select(wing => GpuSkinReader.Start(wing.Renderer)), Does.Contain(start), "the place is taken again");
+        Vector3[] rest = Shown(cpu, 0).vertices;
+        (float3[] places, _) = GpuSkinReader.Deformed(renderer);
+        float3[] past = GpuSkinReader.Past(renderer);
+        for (int v = 0; v < rest.Length; v++)
+        {
+            Assert.That(math.distance(places[v], rest[v]), Is.LessThan(4e-6f));
+            Assert.That(math.distance(past[v], rest[v]), Is.LessThan(4e-6f));
+        }
+
+        Assert.That(other.State, Is.EqualTo(InsectState.Ready));
+    }
+
+    [UnityTest]
     public IEnumerator InsectsOfOneMesh_ShareMeshAndMaterial_AndHaveJointsOfTheirOwn()
     {
         InsectWings[] insects = [.. Enumerable.Range(0, 40).Select(_ => Hatched(WingSkinning.Automatic))];
@@ -98,6 +124,33 @@ public sealed class GpuSkinningTests : FlockFixture
         Assert.That(insect.Wings[0].Renderer.HasPropertyBlock(), Is.False);
         tinted.GetPropertyBlock(block);
         Assert.That(block.GetFloat("_Own"), Is.EqualTo(3f));
+    }
+
+    [UnityTest]
+    public IEnumerator PropertiesThatAScriptSets_DoNotTakeTheJointsAway_AndTintsStay()
+    {
+        InsectWings insect = Hatched(WingSkinning.Gpu), other = Hatched(WingSkinning.Gpu);
+        yield return Frames(3);
+        Renderer renderer = other.Wings[1].Renderer;
+        int start = GpuSkinReader.Start(renderer);
+        Assert.That(start, Is.GreaterThan(0));
+        var block = new MaterialPropertyBlock();
+        renderer.GetPropertyBlock(block);
+        Assert.That(block.GetColor("_SkinTint"), Is.EqualTo(Color.white));
+        var own = new MaterialPropertyBlock();
+        own.SetFloat("_Own", 3f);
+        renderer.SetPropertyBlock(own);
+        yield return null;
+
+        Assert.That(GpuSkinReader.Start(renderer), Is.EqualTo(start));
+        own.SetColor("_SkinTint", Color.red);
+        renderer.SetPropertyBlock(own);
+        yield return null;
+        renderer.GetPropertyBlock(block);
+        Assert.That(GpuSkinReader.Start(renderer), Is.EqualTo(start));
+        Assert.That(block.GetColor("_SkinTint"), Is.EqualTo(Color.red));
+        Assert.That(block.GetFloat("_Own"), Is.EqualTo(3f));
+        Assert.That(insect.State, Is.EqualTo(InsectState.Ready));
     }
 
     [UnityTest]
@@ -287,6 +340,12 @@ public sealed class GpuSkinningTests : FlockFixture
 
         Assert.That(GC.GetAllocatedBytesForCurrentThread() - before, Is.Zero);
     }
+
+    private InsectWings Unmoved(WingSkinning skinning, bool motion) => Hatched(skinning, made =>
+    {
+        made.UpdateMode = WingUpdateMode.Manual;
+        made.Quality.motionVectors = motion;
+    });
 
     private InsectWings Hatched(WingSkinning skinning, Action<InsectWings> prepare = null) => Hatch(made =>
     {

@@ -12,7 +12,7 @@ namespace Alate.Tests;
 /// <summary>Boxes around the joints of wings that the graphics card deforms, beside vertices that the processor deformed.</summary>
 public sealed class PaletteBoundsTests
 {
-    private const int k_Steps = 400;
+    private const int k_Steps = 100;
 
     private static IEnumerable<string> Species => InsectCatalogue.All.Select(species => species.Name);
 
@@ -27,7 +27,7 @@ public sealed class PaletteBoundsTests
             {
                 WingPreset preset = kind.CreatePreset();
                 WingSkeleton skeleton = kind.CreateSkeleton(side);
-                WingRig rig = WingRig.Bake(skeleton, kind.CreateSurface(side), WingRigSettings.Default);
+                var rig = WingRig.Bake(skeleton, kind.CreateSurface(side), WingRigSettings.Default);
                 using var world = new WingWorld();
                 WingHandle drawn = world.Add(rig, preset.ToParameters()),
                     shown = world.Add(rig, preset.ToParameters(), default, default, VertexPacking.Joints);

@@ -8,12 +8,15 @@ namespace Alate.Tests.Play
     /// <summary>Random sequences of acts on insects break nothing, and all resources come back.</summary>
     public class RandomActsTests : PlayFixture
     {
-        private const int k_Acts = 3000, k_ManyActs = 10000, k_ActsPerFrame = 20;
+        private const int k_ManyActs = 10000, k_ActsPerFrame = 20;
+
+        /// <summary>Acts of the plain run.</summary>
+        protected virtual int Acts => 3000;
 
         [UnityTest]
         public IEnumerator RandomActs_LeaveNothingBroken()
         {
-            yield return Act(20240817, k_Acts);
+            yield return Act(20240817, Acts);
         }
 
         [UnityTest]

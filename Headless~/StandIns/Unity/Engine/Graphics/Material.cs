@@ -133,6 +133,9 @@ public sealed class MaterialPropertyBlock
     public void SetFloat(string name, float value) => _values.Set(name, value);
     public void SetFloat(int nameID, float value) => _values.Set(nameID, value);
     public float GetFloat(string name) => _values.Get<float>(name);
+    public float GetFloat(int nameID) => _values.Get<float>(nameID);
+    public bool HasFloat(int nameID) => _values.Has(nameID);
+    public bool HasColor(int nameID) => _values.Has(nameID);
     public void SetVector(string name, Vector4 value) => _values.Set(name, value);
     public void SetVector(int nameID, Vector4 value) => _values.Set(nameID, value);
     public Vector4 GetVector(string name) => _values.Get<Vector4>(name);

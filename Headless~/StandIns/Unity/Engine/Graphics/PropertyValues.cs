@@ -34,7 +34,8 @@ internal sealed class PropertyValues
 
     public T Get<T>(string name) => Get<T>(Shader.PropertyToID(name));
     public T Get<T>(int id) => _values.TryGetValue(id, out object value) && value is T t ? t : default;
-    public bool Has(string name) => _values.ContainsKey(Shader.PropertyToID(name));
+    public bool Has(string name) => Has(Shader.PropertyToID(name));
+    public bool Has(int id) => _values.ContainsKey(id);
     /// <summary>A number that changes with the values, without garbage.</summary>
     public int Content()
     {

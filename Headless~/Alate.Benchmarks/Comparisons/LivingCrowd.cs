@@ -1,0 +1,28 @@
+namespace Alate.Benchmarks;
+
+/// <summary>A way to draw a crowd of monarchs.</summary>
+internal enum LivingCrowd
+{
+    /// <summary>Live in full detail, deformed by the processor.</summary>
+    Cpu,
+
+    /// <summary>Live in full detail, deformed by the graphics card.</summary>
+    Gpu,
+
+    /// <summary>The same at many distances, three of ten near, with the levels of detail of their sizes.</summary>
+    GpuWithLevels,
+
+    /// <summary>The same with a budget.</summary>
+    GpuWithBudget,
+
+    /// <summary>Baked.</summary>
+    Baked,
+}
+
+/// <summary>Time of a frame of a crowd.</summary>
+/// <param name="Crowd">How it is drawn.</param>
+/// <param name="Insects">How many.</param>
+/// <param name="Frame">Milliseconds on all cores, jobs included.</param>
+/// <param name="Main">Milliseconds of the main thread, without its waiting.</param>
+/// <param name="Threads">Microseconds of all threads, an insect.</param>
+internal sealed record LivingFrame(LivingCrowd Crowd, int Insects, double Frame, double Main, double Threads);
