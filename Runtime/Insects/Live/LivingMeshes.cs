@@ -18,14 +18,16 @@ namespace Alate
         /// <summary>Adds a filter with the living mesh that it shows, and the mesh's source.</summary>
         public static void Add(Mesh living, Mesh source, MeshFilter filter)
         {
-            s_Shown.Add(filter, living);
+            // A script may have given the filter another mesh, and somebody else the wing.
+            s_Shown[filter] = living;
             s_Sources[living] = (source, s_Sources.TryGetValue(living, out (Mesh source, int users) entry) ? entry.users + 1 : 1);
         }
 
         /// <summary>Removes a filter and its living mesh.</summary>
         public static void Remove(Mesh living, MeshFilter filter)
         {
-            s_Shown.Remove(filter);
+            if (s_Shown.TryGetValue(filter, out Mesh shown) && ReferenceEquals(shown, living))
+                s_Shown.Remove(filter);
             (Mesh source, int users) = s_Sources[living];
             if (users == 1)
                 s_Sources.Remove(living);
