@@ -80,7 +80,7 @@ internal static class BakedFigures
         report.Figure("baked_draw_calls", $"{count}", "  drawn by", "calls", crowd.DrawCalls);
         report.Figure("baked_triangles", $"{count}", "  triangles", "thousands", crowd.Triangles / 1000.0);
         Object.DestroyImmediate(crowd.gameObject);
-        return new LivingFrame(LivingCrowd.Baked, count, 1e-3 * times[0], 1e-3 * times[2], times[0] / count);
+        return new LivingFrame(LivingCrowd.Baked, count, 1e-3 * times[0], 1e-3 * times[2]);
 
         void Frame(params ReadOnlySpan<Camera> cameras)
         {

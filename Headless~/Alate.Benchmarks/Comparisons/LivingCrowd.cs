@@ -24,5 +24,4 @@ internal enum LivingCrowd
 /// <param name="Insects">How many.</param>
 /// <param name="Frame">Milliseconds on all cores, jobs included.</param>
 /// <param name="Main">Milliseconds of the main thread, without its waiting.</param>
-/// <param name="Threads">Microseconds of all threads, an insect.</param>
-internal sealed record LivingFrame(LivingCrowd Crowd, int Insects, double Frame, double Main, double Threads);
+internal sealed record LivingFrame(LivingCrowd Crowd, int Insects, double Frame, double Main);

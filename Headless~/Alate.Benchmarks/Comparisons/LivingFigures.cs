@@ -1,4 +1,3 @@
-using System;
 using System.Collections.Generic;
 using System.Diagnostics;
 using System.Linq;
@@ -39,7 +38,8 @@ internal static class LivingFigures
             }
 
             LivingFrame cpu = frames[^4], gpu = frames[^3];
-            report.Ratio(Targets.GpuFrame, $"{insects}", gpu.Threads, cpu.Threads, gpu.Threads / cpu.Threads);
+            double each = 1e3 / insects;
+            report.Ratio(Targets.GpuFrame, $"{insects}", each * gpu.Frame, each * cpu.Frame, gpu.Frame / cpu.Frame);
             report.Ratio(Targets.GpuMain, $"{insects}", 1e3 * gpu.Main, 1e3 * cpu.Main, gpu.Main / cpu.Main);
         }
 
@@ -51,7 +51,6 @@ internal static class LivingFigures
         string what = $"{frame.Insects} monarchs, {frame.Crowd}";
         report.Figure("living_frame_ms", what, $"{what}: a frame", "ms", frame.Frame);
         report.Figure("living_main_ms", what, $"{what}: main thread", "ms", frame.Main);
-        report.Figure("living_threads_us", what, $"{what}: all threads", "us/insect", frame.Threads);
     }
 
     private static LivingFrame Measure(LivingCrowd crowd, int insects)
@@ -69,18 +68,16 @@ internal static class LivingFigures
             PlayerLoop.Tick(k_FrameTime);
         MarkerTimes.Clear();
         MarkerTimes.On = true;
-        TimeSpan used = Environment.CpuUsage.TotalTime;
         var wall = Stopwatch.StartNew();
         for (int frame = 0; frame < k_Frames; frame++)
             PlayerLoop.Tick(k_FrameTime);
         double milliseconds = wall.Elapsed.TotalMilliseconds / k_Frames;
-        double microseconds = (Environment.CpuUsage.TotalTime - used).TotalMicroseconds / k_Frames / insects;
         MarkerTimes.On = false;
         double main = 1e3 / k_Frames * MarkerTimes.Seconds().Where(marker => marker.Key != SystemFigures.Wait).Sum(marker => marker.Value);
         WingSystem.DetailCameras.Clear();
         WingSystem.Budget = 0f;
         PlayerLoop.ExitPlayMode();
-        return new LivingFrame(crowd, insects, milliseconds, main, microseconds);
+        return new LivingFrame(crowd, insects, milliseconds, main);
     }
 
     // Three of ten are near, the others spread evenly.

@@ -44,7 +44,7 @@ internal static class Targets
     public static readonly Target PackedSkin = new(
         "packed_skin_over_floats", "skinning / skinning into floats, 400 insects", "us/frame", 1.1, 1.0);
     public static readonly Target GpuFrame = new(
-        "living_gpu_over_cpu", "a living monarch by the graphics card / by the processor", "us/insect", 0.8, 0.65);
+        "living_gpu_over_cpu", "a frame of living monarchs by the graphics card / by the processor", "us/insect", 0.8, 0.65);
     public static readonly Target GpuMain = new(
         "living_gpu_main_over_cpu", "main thread by the graphics card / by the processor", "us/frame", 0.5, 0.4);
     public static readonly Target GpuUpload = new(

@@ -20,8 +20,8 @@ public sealed class PerformanceFiguresTests
     {
         List<LivingFrame> frames =
         [
-            new(LivingCrowd.Cpu, 100, 4.25, 0.5, 40), new(LivingCrowd.Gpu, 100, 2.5, 0.25, 20), new(LivingCrowd.Cpu, 1000, 42.5, 5.25, 41),
-            new(LivingCrowd.Gpu, 1000, 25.4, 2.5, 21), new(LivingCrowd.Baked, 1000, 0.07, 0.04, 0.07),
+            new(LivingCrowd.Cpu, 100, 4.25, 0.5), new(LivingCrowd.Gpu, 100, 2.5, 0.25), new(LivingCrowd.Cpu, 1000, 42.5, 5.25),
+            new(LivingCrowd.Gpu, 1000, 25.4, 2.5), new(LivingCrowd.Baked, 1000, 0.07, 0.04),
         ];
         (string Name, string Text)[] made = [.. PerformanceFigures.Make(Page, frames)];
 

@@ -9,7 +9,6 @@ namespace Alate
         private static readonly int s_Start = Shader.PropertyToID("_SkinStart"), s_Tint = Shader.PropertyToID("_SkinTint");
         private static readonly List<Material> s_Shown = new List<Material>();
 
-        private readonly MaterialPropertyBlock m_Properties = new MaterialPropertyBlock();
         private readonly MeshTemplate m_Template;
         private readonly Renderer m_Renderer;
         private readonly GpuSkins m_Skins;
@@ -71,7 +70,7 @@ namespace Alate
         public override void Upload(WingWorld world, LiveWing[] wings)
         {
             // A script may have set properties of its own in place of all.
-            m_Renderer.GetPropertyBlock(m_Properties);
+            m_Renderer.GetPropertyBlock(m_Skins.Properties);
             if (!IsTold)
             {
                 m_HadProperties[0] = true;
@@ -119,20 +118,21 @@ namespace Alate
             for (int k = -1; k < m_Copies.Length; k++)
             {
                 Read(k);
-                m_HadProperties.Add(!m_Properties.isEmpty);
-                if (k < 0 || !m_Properties.isEmpty)
+                m_HadProperties.Add(!m_Skins.Properties.isEmpty);
+                if (k < 0 || !m_Skins.Properties.isEmpty)
                     Tell(k);
             }
         }
 
-        private bool IsTold => m_Properties.HasFloat(s_Start) && m_Properties.GetFloat(s_Start) == m_Start && m_Properties.HasColor(s_Tint);
+        private bool IsTold => m_Skins.Properties.HasFloat(s_Start) && m_Skins.Properties.GetFloat(s_Start) == m_Start
+            && m_Skins.Properties.HasColor(s_Tint);
 
         private void Tell(int material)
         {
-            m_Properties.SetFloat(s_Start, m_Start);
-            if (!m_Properties.HasColor(s_Tint))
-                m_Properties.SetColor(s_Tint, Color.white);
-            Write(m_Properties, material);
+            m_Skins.Properties.SetFloat(s_Start, m_Start);
+            if (!m_Skins.Properties.HasColor(s_Tint))
+                m_Skins.Properties.SetColor(s_Tint, Color.white);
+            Write(m_Skins.Properties, material);
         }
 
         private void ForgetStart(int materials)
@@ -147,9 +147,9 @@ namespace Alate
         private void Read(int material)
         {
             if (material < 0)
-                m_Renderer.GetPropertyBlock(m_Properties);
+                m_Renderer.GetPropertyBlock(m_Skins.Properties);
             else
-                m_Renderer.GetPropertyBlock(m_Properties, material);
+                m_Renderer.GetPropertyBlock(m_Skins.Properties, material);
         }
 
         private void Write(MaterialPropertyBlock properties, int material)

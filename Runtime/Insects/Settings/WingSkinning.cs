@@ -7,8 +7,7 @@ namespace Alate
         Cpu,
 
         /// <summary>
-        /// The graphics card, in the vertex shader; the processor where that cannot be, with a warning that says why. Costs a fifth of the
-        /// memory and none of the upload.
+        /// The graphics card, in the vertex shader; the processor where that cannot be, with a warning that says why.
         /// </summary>
         Gpu,
 

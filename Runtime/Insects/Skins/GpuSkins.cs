@@ -18,6 +18,9 @@ namespace Alate
         /// <summary>Copies of the insects' materials.</summary>
         public SkinMaterials Materials { get; }
 
+        /// <summary>Properties of the renderer that is looked at.</summary>
+        public MaterialPropertyBlock Properties { get; } = new MaterialPropertyBlock();
+
         /// <summary>Finds what keeps the graphics card from deforming the wings that a renderer draws.</summary>
         /// <returns>Null where nothing does; else the reason, which names the object.</returns>
         public static string FindObstacle(Renderer renderer)

@@ -74,8 +74,6 @@ namespace Alate
             freed.Push(start);
             Joints -= joints;
             m_Movers -= moves ? 1 : 0;
-            if (Texture != null && m_Movers == 0)
-                Reserve(m_Rows, 1);
         }
 
         /// <summary>Begins a picture: what the last one showed is the past.</summary>
@@ -85,6 +83,10 @@ namespace Alate
             m_IsWritten = false;
             if (Texture == null)
                 return;
+
+            // Not before: materials show the texture until they are refreshed at the end of a picture.
+            if (m_Movers == 0)
+                Reserve(m_Rows, 1);
             m_Texels = Texture.GetPixelData<float4>(0);
             if (m_WasWritten && Last > 0)
                 NativeArray<float4>.Copy(m_Texels, 0, m_Texels, Last, m_End * k_TexelsOfAJoint);

@@ -2,6 +2,7 @@ using System;
 using System.Collections;
 using Alate.Catalogue;
 using NUnit.Framework;
+using Unity.StandIns;
 using UnityEngine;
 using UnityEngine.TestTools;
 
@@ -9,24 +10,33 @@ namespace Alate.Tests.Play
 {
     public sealed class CrowdGarbageTests : PlayFixture
     {
+        [SetUp]
+        public void AddTheShader() => ProjectShaders.Add(WingMaterial.ShaderName, "Alate/Wing");
+
+        [TearDown]
+        public void TakeTheShader() => ProjectShaders.Clear();
+
         [UnityTest]
         public IEnumerator AFrame_AllocatesNothing_AndSchedulesTheSameJobs(
-            [Values(1, 20)] int insects, [Values] bool motion) => Check(insects, motion);
+            [Values(1, 20)] int insects, [Values] bool motion, [Values(WingSkinning.Cpu, WingSkinning.Gpu)] WingSkinning skinning) =>
+            Check(insects, motion, skinning);
 
         [UnityTest]
         [Explicit]
         [Category("Long")]
-        public IEnumerator AFrameOfFourHundred_AllocatesNothing_AndSchedulesTheSameJobs() => Check(400, false);
+        public IEnumerator AFrameOfFourHundred_AllocatesNothing_AndSchedulesTheSameJobs() => Check(400, false, WingSkinning.Cpu);
 
-        private IEnumerator Check(int insects, bool motion)
+        private IEnumerator Check(int insects, bool motion, WingSkinning skinning)
         {
             Mesh mesh = Keep(TestWings.ToMesh(TestWings.Ellipse()));
             WingSkeleton skeleton = Keep(TestWings.Fan());
             WingPreset preset = Keep(InsectCatalogue.Monarch());
+            Material material = Keep(new Material(Shader.Find(WingMaterial.ShaderName)));
             for (int k = 0; k < insects; k++)
-                Hatch(mesh, skeleton, preset, motion);
+                Hatch(mesh, skeleton, preset, motion, skinning, material);
             yield return Frames(60);
             Assert.That(WingSystem.InsectCount, Is.EqualTo(insects));
+            Assert.That(WingSystem.Loop.Skins.Table.Joints, skinning == WingSkinning.Gpu ? Is.GreaterThan(0) : Is.Zero);
 
             FrameLoop loop = WingSystem.Loop;
             long before = GC.GetAllocatedBytesForCurrentThread();
@@ -44,7 +54,7 @@ namespace Alate.Tests.Play
             Assert.That(loop.StepCount - steps, Is.EqualTo(1), "one step job a fixed step, however many insects");
         }
 
-        private void Hatch(Mesh mesh, WingSkeleton skeleton, WingPreset preset, bool motion)
+        private void Hatch(Mesh mesh, WingSkeleton skeleton, WingPreset preset, bool motion, WingSkinning skinning, Material material)
         {
             GameObject root = Keep(new GameObject("insect"));
             root.SetActive(false);
@@ -52,13 +62,15 @@ namespace Alate.Tests.Play
             insect.Wings.Clear();
             insect.Preset = preset;
             insect.Quality.motionVectors = motion;
+            insect.Quality.skinning = skinning;
             foreach (WingSide side in new[] { WingSide.Right, WingSide.Left })
             {
                 var wing = new GameObject("wing");
                 wing.transform.SetParent(root.transform, false);
                 wing.transform.localScale = new Vector3(side == WingSide.Right ? 1f : -1f, 1f, 1f);
                 wing.AddComponent<MeshFilter>().sharedMesh = mesh;
-                insect.Wings.Add(new Wing { Renderer = wing.AddComponent<MeshRenderer>(), Side = side, Skeleton = skeleton });
+                wing.AddComponent<MeshRenderer>().sharedMaterial = material;
+                insect.Wings.Add(new Wing { Renderer = wing.GetComponent<MeshRenderer>(), Side = side, Skeleton = skeleton });
             }
 
             insect.Quality.culling = WingCulling.AlwaysSimulate;

@@ -82,40 +82,68 @@ public sealed class GpuShaderTests : PlayFixture
             string[] keywords = instanced ? ["_SKINNED", "INSTANCING_ON"] : ["_SKINNED"];
             string program = WebStages.Of(builtIn, keywords).Vertex;
             (double place, double degrees) = Compare(program);
+            double moved = CompareMotion(WebStages.OfMotion(builtIn, builtIn ? ["_SKINNED"] : keywords).Vertex);
             TestContext.Progress.WriteLine(
                 $"{species}, {(builtIn ? "built-in" : "URP")}{(instanced ? ", instanced" : "")}: "
-                + $"{m_Seen.Sum(seen => seen.Count)} vertices, {place:E1} of the span, {degrees:F2} degrees");
-            Assert.That(place, Is.LessThan(2e-6), "of the span");
-            Assert.That(degrees, Is.LessThan(0.5), "of which the signed bytes of the processor's normals are 0.4");
+                + $"{m_Seen.Sum(seen => seen.Count)} vertices, {place:E1} of the span, {degrees:F2} degrees, "
+                + $"{moved:E1} of the span before");
+            // In a range: what is no number is less than all.
+            Assert.That(place, Is.InRange(0.0, 2e-6), "of the span");
+            Assert.That(moved, Is.InRange(0.0, 2e-6), "of the span, in this picture and the last");
+            Assert.That(degrees, Is.InRange(0.0, 0.5), "of which the signed bytes of the processor's normals are 0.4");
         }
     }
 
     private (double Place, double Degrees) Compare(string program)
     {
-        using var folder = new TemporaryFolder();
-        string template = File.ReadAllText(
-            Path.Combine(PackageRoot.Find(), "Headless~", "Alate.Headless.Tests", "Shaders", "Web", "skin.html"));
-        string page = folder.File(
-            "skin.html", template.Replace("/*DATA*/", JsonSerializer.Serialize(m_Seen.Select(seen => seen.Json(program)))));
-        JsonElement result = WebTools.Show(page, folder.Root);
-        Assert.That(result.GetProperty("error").ToString(), Is.EqualTo("0"));
         double place = 0.0, degrees = 0.0;
-        foreach ((Seen seen, JsonElement call) in m_Seen.Zip(result.GetProperty("calls").EnumerateArray()))
+        foreach ((Seen seen, float[] read) in Read(seen => seen.Json(program, 6, "varied_place", "varied_normal")))
         {
-            float[] read = [.. MemoryMarshal.Cast<byte, float>(call.GetBytesFromBase64())];
             Assert.That(read, Has.Length.EqualTo(6 * seen.Count));
             for (int v = 0; v < seen.Count; v++)
             {
-                var at = new float3(read[6 * v], read[6 * v + 1], read[6 * v + 2]);
-                var normal = new float3(read[6 * v + 3], read[6 * v + 4], read[6 * v + 5]);
-                place = Math.Max(place, math.distance(at, seen.Places[v]) / seen.Span);
-                float cosine = math.dot(math.normalize(normal), math.normalize((float3)seen.Normals[v]));
+                place = Math.Max(place, math.distance(Number(read, 6 * v), seen.Places[v]) / seen.Span);
+                float cosine = math.dot(math.normalize(Number(read, 6 * v + 3)), math.normalize((float3)seen.Normals[v]));
                 degrees = Math.Max(degrees, 180.0 / Math.PI * Math.Acos(Math.Min(1.0, cosine)));
             }
         }
 
         return (place, degrees);
     }
+
+    // The past of each pose is the one before.
+    private double CompareMotion(string program)
+    {
+        double place = 0.0, way = 0.0;
+        foreach ((Seen seen, float[] read) in Read(seen => seen.Json(program, 8, "varied_now", "varied_before")))
+        {
+            int vertices = seen.Count / k_Poses;
+            for (int v = vertices; v < seen.Count; v++)
+            {
+                place = Math.Max(place, math.distance(Number(read, 8 * v), seen.Places[v]) / seen.Span);
+                place = Math.Max(place, math.distance(Number(read, 8 * v + 4), seen.Places[v - vertices]) / seen.Span);
+                way = Math.Max(way, Vector3.Distance(seen.Places[v], seen.Places[v - vertices]) / seen.Span);
+            }
+        }
+
+        Assert.That(way, Is.GreaterThan(0.1), "of the span: the poses are the same");
+        return place;
+    }
+
+    private IEnumerable<(Seen Seen, float[] Read)> Read(Func<Seen, object> call)
+    {
+        using var folder = new TemporaryFolder();
+        string template = File.ReadAllText(
+            Path.Combine(PackageRoot.Find(), "Headless~", "Alate.Headless.Tests", "Shaders", "Web", "skin.html"));
+        string page = folder.File("skin.html", template.Replace("/*DATA*/", JsonSerializer.Serialize(m_Seen.Select(call))));
+        JsonElement result = WebTools.Show(page, folder.Root);
+        Assert.That(result.GetProperty("error").ToString(), Is.EqualTo("0"));
+        return m_Seen.Zip(
+            result.GetProperty("calls").EnumerateArray(),
+            (seen, read) => (seen, MemoryMarshal.Cast<byte, float>(read.GetBytesFromBase64()).ToArray())).ToList();
+    }
+
+    private static float3 Number(float[] read, int at) => new(read[at], read[at + 1], read[at + 2]);
 
     private InsectWings Stepped(WingSkinning skinning)
     {
@@ -160,7 +188,10 @@ public sealed class GpuShaderTests : PlayFixture
             Normals.AddRange(deformed.normals);
         }
 
-        public object Json(string program)
+        /// <param name="program">The vertex shader.</param>
+        /// <param name="numbers">Numbers that are read of a vertex.</param>
+        /// <param name="read">Their names.</param>
+        public object Json(string program, int numbers, params string[] read)
         {
             int rows = (m_Texels.Count + SkinTable.Width - 1) / SkinTable.Width;
             Color[] texels = [.. m_Texels, .. new Color[rows * SkinTable.Width - m_Texels.Count]];
@@ -168,12 +199,16 @@ public sealed class GpuShaderTests : PlayFixture
             return new
             {
                 program,
+                numbers,
+                read,
                 count = m_Mesh.vertexCount,
                 poses = Enumerable.Range(0, k_Poses).Select(pose => pose * m_Joints),
                 mesh = new
                 {
                     position = Text(m_Mesh.vertices),
                     vertex = Text(m_Mesh.vertices),
+                    last = Text(new Vector3[m_Mesh.vertexCount]),
+                    displacement = Text(new Vector3[m_Mesh.vertexCount]),
                     normal = Text(m_Mesh.normals),
                     skin = Text(m_Corners.ToArray()),
                 },
@@ -183,6 +218,14 @@ public sealed class GpuShaderTests : PlayFixture
                     ["unity_ObjectToWorld"] = identity,
                     ["unity_ObjectToWorldArray"] = identity,
                     ["unity_MatrixVP"] = identity,
+                    ["unity_MatrixPreviousM"] = identity,
+                    ["unity_PrevObjectToWorldArray"] = identity,
+                    ["_PreviousM"] = identity,
+                    ["_NonJitteredViewProjMatrix"] = identity,
+                    ["_NonJitteredVP"] = identity,
+                    ["_PrevViewProjMatrix"] = identity,
+                    ["_PreviousVP"] = identity,
+                    ["_SkinLast"] = [-2f * m_Joints],
                     ["_SkinMap_TexelSize"] = [1f / SkinTable.Width, 1f / rows, SkinTable.Width, rows],
                 },
             };

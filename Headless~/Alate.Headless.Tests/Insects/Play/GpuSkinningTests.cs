@@ -49,8 +49,8 @@ public sealed class GpuSkinningTests : FlockFixture
                 Vector3[] wanted = Shown(cpu, wing).vertices, upright = Shown(cpu, wing).normals;
                 for (int v = 0; v < wanted.Length; v++)
                 {
-                    Assert.That(math.distance(places[v], wanted[v]), Is.LessThan(4e-6f));
-                    Assert.That(math.distance(normals[v], math.normalize(upright[v])), Is.LessThan(0.01f), "of signed bytes");
+                    Assert.That(math.distance(places[v], wanted[v]), Is.InRange(0f, 4e-6f));
+                    Assert.That(math.distance(normals[v], math.normalize(upright[v])), Is.InRange(0f, 0.01f), "of signed bytes");
                 }
 
                 Bounds box = gpu.BoundsOf(wing);
@@ -81,8 +81,8 @@ public sealed class GpuSkinningTests : FlockFixture
         float3[] past = GpuSkinReader.Past(renderer);
         for (int v = 0; v < rest.Length; v++)
         {
-            Assert.That(math.distance(places[v], rest[v]), Is.LessThan(4e-6f));
-            Assert.That(math.distance(past[v], rest[v]), Is.LessThan(4e-6f));
+            Assert.That(math.distance(places[v], rest[v]), Is.InRange(0f, 4e-6f));
+            Assert.That(math.distance(past[v], rest[v]), Is.InRange(0f, 4e-6f));
         }
 
         Assert.That(other.State, Is.EqualTo(InsectState.Ready));
@@ -321,24 +321,6 @@ public sealed class GpuSkinningTests : FlockFixture
         Assert.That(table.Joints, Is.EqualTo(joints), "its block is free");
         (float3[] places, _) = GpuSkinReader.Deformed(still.Wings[0].Renderer);
         Assert.That(places.Max(place => math.length(place)), Is.InRange(0.5f, 1.5f), "the present is kept");
-    }
-
-    [UnityTest]
-    public IEnumerator AFrame_AllocatesNothing([Values] bool motion)
-    {
-        for (int k = 0; k < 10; k++)
-            Hatched(WingSkinning.Gpu, made => made.Quality.motionVectors = motion);
-        yield return Frames(60);
-
-        FrameLoop loop = WingSystem.Loop;
-        long before = GC.GetAllocatedBytesForCurrentThread();
-        for (int round = 0; round < 10; round++)
-        {
-            loop.FixedStep(0.02f);
-            loop.Frame(0.02f, 0.02f);
-        }
-
-        Assert.That(GC.GetAllocatedBytesForCurrentThread() - before, Is.Zero);
     }
 
     private InsectWings Unmoved(WingSkinning skinning, bool motion) => Hatched(skinning, made =>

@@ -35,11 +35,18 @@ internal sealed record WebStages(string Vertex, string Fragment)
     /// <summary>Translates the pass that lights a wing by the sun.</summary>
     /// <param name="builtIn">True for the built-in pipeline, else URP 17.1.</param>
     /// <param name="keywords">Those that are on.</param>
-    public static WebStages Of(bool builtIn, params string[] keywords)
+    public static WebStages Of(bool builtIn, params string[] keywords) =>
+        Of(builtIn, builtIn ? "ForwardBase" : "UniversalForwardOnly", keywords);
+
+    /// <summary>Translates the pass of motion vectors.</summary>
+    /// <inheritdoc cref="Of(bool, string[])"/>
+    public static WebStages OfMotion(bool builtIn, params string[] keywords) => Of(builtIn, "MotionVectors", keywords);
+
+    private static WebStages Of(bool builtIn, string lightMode, string[] keywords)
     {
         ShaderFile.SubShader taken =
             new ShaderFile(Text).SubShaders.First(sub => builtIn ? sub.Universal == null : sub.Takes(new Version(17, 1, 0)));
-        ShaderFile.Pass pass = taken.Passes.Single(pass => pass.LightMode == (builtIn ? "ForwardBase" : "UniversalForwardOnly"));
+        ShaderFile.Pass pass = taken.Passes.Single(pass => pass.LightMode == lightMode);
         string includes = Path.Combine(
             PackageRoot.Find(), "Headless~", "Alate.Headless.Tests", "Shaders", "Includes", builtIn ? "BuiltIn" : "Universal");
         using var folder = new TemporaryFolder();
