@@ -89,7 +89,7 @@ public static class Program
     {
         try
         {
-            errors.WriteLine("alate: " + Quote.Words(message.ReplaceLineEndings(" ").Trim()));
+            errors.WriteLine("alate: " + QuotedMessage.Words(message.ReplaceLineEndings(" ").Trim()));
             if (trace != null)
                 errors.WriteLine(trace);
         }

@@ -1,5 +1,6 @@
 using System.Runtime.CompilerServices;
 
+[assembly: InternalsVisibleTo("Alate.Files")]
 [assembly: InternalsVisibleTo("Alate.Editor")]
 [assembly: InternalsVisibleTo("Alate.Tests")]
 [assembly: InternalsVisibleTo("Alate.Editor.Tests")]

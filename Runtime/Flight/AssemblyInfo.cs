@@ -2,6 +2,7 @@ using System.Runtime.CompilerServices;
 
 [assembly: InternalsVisibleTo("Alate.Catalogue")]
 [assembly: InternalsVisibleTo("Alate.Crowds")]
+[assembly: InternalsVisibleTo("Alate.Files")]
 [assembly: InternalsVisibleTo("Alate.Editor")]
 [assembly: InternalsVisibleTo("Alate.Proof")]
 [assembly: InternalsVisibleTo("Alate.Tests")]

@@ -4,6 +4,7 @@ using System.Runtime.CompilerServices;
 [assembly: InternalsVisibleTo("Alate.Flight")]
 [assembly: InternalsVisibleTo("Alate.Crowds")]
 [assembly: InternalsVisibleTo("Alate.Sound")]
+[assembly: InternalsVisibleTo("Alate.Files")]
 [assembly: InternalsVisibleTo("Alate.Editor")]
 [assembly: InternalsVisibleTo("Alate.Tests")]
 [assembly: InternalsVisibleTo("Alate.Editor.Tests")]

@@ -6,6 +6,7 @@ using System.Runtime.CompilerServices;
 [assembly: InternalsVisibleTo("Alate.Flight")]
 [assembly: InternalsVisibleTo("Alate.Crowds")]
 [assembly: InternalsVisibleTo("Alate.Authoring")]
+[assembly: InternalsVisibleTo("Alate.Files")]
 [assembly: InternalsVisibleTo("Alate.Editor")]
 [assembly: InternalsVisibleTo("Alate.Proof")]
 [assembly: InternalsVisibleTo("Alate.Wake")]

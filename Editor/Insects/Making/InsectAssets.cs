@@ -1,7 +1,5 @@
 using System;
-using System.Linq;
 using Alate.Catalogue;
-using Alate.Flight;
 using UnityEditor;
 using UnityEngine;
 using Object = UnityEngine.Object;
@@ -9,11 +7,11 @@ using Object = UnityEngine.Object;
 namespace Alate.Editor
 {
     /// <summary>
-    /// Saves an insect of the catalogue into the user's project: a prefab that beats on the spot, one that flies about, and beside them
+    /// Saves an insect into the user's project: a prefab that beats on the spot, one that flies about, and beside them
     /// their meshes, skeletons, presets of all variants, materials, pictures and trims. Existing assets stay unchanged, so that the user's
     /// changes are kept.
     /// </summary>
-    internal sealed class InsectAssets
+    internal sealed class InsectAssets : InsectKeeper
     {
         private readonly string m_Folder;
 
@@ -52,33 +50,13 @@ namespace Alate.Editor
         private void Save(InsectDefinition species)
         {
             AssetFolder.Ensure(m_Folder);
-            var parts = InsectParts.Make(species, keepPixels: true);
-            parts.BodyMesh = Keep(parts.BodyMesh);
-            parts.BodyMaterial = Keep(parts.BodyMaterial);
-            foreach (GeneratedWing wing in parts.Wings)
-            {
-                wing.mesh = Keep(wing.mesh);
-                wing.skeleton = Keep(wing.skeleton);
-                wing.material = Keep(wing.material);
-            }
-
-            // The presets that no prefab has lie beside them, to be dragged into the field Preset.
-            var presets = species.Variants.ToDictionary(
-                variant => variant, variant => Array.ConvertAll(parts.CreatePresets(variant, ModelReading.Physical), Keep));
-            SavePrefab(parts.Assemble(presets[InsectVariant.Standard]), PrefabPath(species));
-            if (CatalogueFlight.Flies(species))
-            {
-                GameObject flying = parts.Assemble(presets[InsectVariant.Flight]);
-                CatalogueFlight.AddTo(flying.GetComponent<InsectWings>(), species, Keep(CatalogueFlight.CreateTrims(species)));
-                flying.AddComponent<WanderPilot>().StayAroundStart();
-                SavePrefab(flying, PrefabPath(species, true));
-            }
-
+            Keep(species);
             AssetDatabase.SaveAssets();
         }
 
-        private static void SavePrefab(GameObject made, string path)
+        protected override void KeepPrefab(GameObject made, InsectDefinition species, bool flies)
         {
+            string path = PrefabPath(species, flies);
             if (AssetDatabase.LoadAssetAtPath<GameObject>(path) == null)
             {
                 made.SetActive(true);
@@ -88,11 +66,11 @@ namespace Alate.Editor
             Object.DestroyImmediate(made);
         }
 
-        private Material Keep(Material made)
+        protected override Material KeepMaterial(Material made, string key)
         {
             var painted = (Texture2D)made.SurfaceTexture();
             string name = made.name;
-            Material kept = Keep<Material>(made);
+            Material kept = Keep(made, key);
             if (painted == null)
                 return kept;
             if (ReferenceEquals(kept, made))
@@ -106,7 +84,7 @@ namespace Alate.Editor
         }
 
         // The asset of this name that is there, or this object as a new one.
-        private T Keep<T>(T made) where T : Object
+        protected override T Keep<T>(T made, string key)
         {
             string path = $"{m_Folder}/{made.name}{(made is Material ? ".mat" : ".asset")}";
             T existing = AssetDatabase.LoadAssetAtPath<T>(path);

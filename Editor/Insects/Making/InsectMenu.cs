@@ -79,9 +79,11 @@ namespace Alate.Editor
             new InsectPlacing().Place(species, command.context as GameObject, flies);
         }
 
-        private static void Save(string species)
+        private static void Save(string species) => Save(InsectCatalogue.Find(species));
+
+        /// <summary>Saves the prefabs of an insect into a new folder, in the one that is selected, and selects them.</summary>
+        public static void Save(InsectDefinition definition)
         {
-            InsectDefinition definition = InsectCatalogue.Find(species);
             string folder = AssetDatabase.GenerateUniqueAssetPath($"{AssetFolder.Of(Selection.activeObject)}/{definition.DisplayName}");
             ProjectWindowUtil.ShowCreatedAsset(new InsectAssets(folder).FindOrSave(definition));
         }

@@ -50,7 +50,7 @@ internal sealed record BakePlan
     /// <summary>Pictures on the parts of the bake.</summary>
     public BakePictures Pictures => m_Pictures ??= MeshFile == null ? new BakePictures(Species) : new BakePictures(OwnWing);
 
-    private WingFiles OwnWing => m_OwnWing ??= WingFiles.Read(MeshFile, SkeletonFile, null);
+    private WingFiles OwnWing => m_OwnWing ??= WingFiles.Read(MeshFile, SkeletonFile, null, InputFiles.Instance);
 
     /// <summary>Bakes the insect.</summary>
     /// <exception cref="UserException">It cannot be baked so.</exception>

@@ -74,7 +74,7 @@ internal static class SpeciesCommand
             throw new UserException("--json needs a FILE where no insect is named.");
         if (!file.EndsWith(InsectFile.Ending, StringComparison.OrdinalIgnoreCase))
             OutputFile.Write(file, stream => SpeciesJson.Write(sheets, stream));
-        else if (wanted == null || InsectFile.IsNamed(wanted))
+        else if (wanted == null || KnownSpecies.IsFile(wanted))
             throw new UserException($"An insect file is written of one insect of the catalogue: species NAME --json {file}.");
         else
             OutputFile.Write(file, stream => stream.Write(Encoding.UTF8.GetBytes(InsectFileText.Write(sheets[0].Definition))));

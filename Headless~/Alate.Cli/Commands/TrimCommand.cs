@@ -40,7 +40,7 @@ internal static class TrimCommand
                 up = List(parsed.GetValue(climbs), TrimBake.DefaultClimbs);
             using FlightModel model = CatalogueFlight.CreateModel(insect);
             if (parsed.GetValue(bake))
-                Bake(insect, InsectFile.IsNamed(named) ? named : null, model, ahead, up, output);
+                Bake(insect, KnownSpecies.IsFile(named) ? named : null, model, ahead, up, output);
             else
                 Survey(insect, model, ahead, up, parsed.GetValue(folder) ?? Path.Combine("out", "trim"), output);
             return 0;

@@ -67,7 +67,7 @@ namespace Alate.Tests.Architecture
         }
 
         [TestCase("Alate.Cli", "Flights",
-            "Headless~/Alate.Cli/Flights/Runs/TetheredFlight.cs: TetheredFlight uses UserException; there is no arrow Flights -> Base")]
+            "Headless~/Alate.Cli/Flights/Free/FreeRun.cs: FreeRun uses PackageRoot; there is no arrow Flights -> Base")]
         [TestCase("Alate.Cli/Flights", "Runs",
             "Headless~/Alate.Cli/Flights/Runs/FlightRecord.cs: FlightRecord uses FlightPlan; there is no arrow Runs -> Plans")]
         [TestCase("Alate.Drawing", "Pages",

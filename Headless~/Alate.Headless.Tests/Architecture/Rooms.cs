@@ -33,8 +33,9 @@ namespace Alate.Tests.Architecture
             ["Alate.Wake"] = ["Alate.Model"],
             ["Alate.Showcase"] = [],
             ["Alate.Authoring"] = ["Alate.Fitting", "Alate.Geometry", "Alate.Model"],
-            ["Alate.Editor"] = ["Alate", "Alate.Authoring", "Alate.Catalogue", "Alate.Crowds", "Alate.Fitting", "Alate.Flight",
-                "Alate.Geometry", "Alate.Model", "Alate.Wake"],
+            ["Alate.Files"] = ["Alate", "Alate.Authoring", "Alate.Catalogue", "Alate.Flight", "Alate.Model"],
+            ["Alate.Editor"] = ["Alate", "Alate.Authoring", "Alate.Catalogue", "Alate.Crowds", "Alate.Files", "Alate.Fitting",
+                "Alate.Flight", "Alate.Geometry", "Alate.Model", "Alate.Wake"],
             ["Alate.Proof"] = ["Alate", "Alate.Catalogue", "Alate.Crowds", "Alate.Flight", "Alate.Model", "Alate.Showcase"],
         };
 
@@ -52,6 +53,7 @@ namespace Alate.Tests.Architecture
             ["Alate.Wake"] = "Runtime/Wake",
             ["Alate.Showcase"] = "Runtime/Showcase",
             ["Alate.Authoring"] = "Editor/Authoring",
+            ["Alate.Files"] = "Editor/Files",
             ["Alate.Proof"] = "Editor/Proof",
             ["Alate.Editor"] = "Editor",
             ["Alate.Formats"] = "Headless~/Alate.Formats",
@@ -172,6 +174,14 @@ namespace Alate.Tests.Architecture
                     ["Veins"] = ["Pictures"],
                     ["Authoring"] = ["Outlines", "Pictures", "Veins"],
                 },
+                ["Alate.Files"] = new Dictionary<string, string[]>
+                {
+                    ["Base"] = [],
+                    ["Json"] = ["Base"],
+                    ["Meshes"] = ["Base"],
+                    ["Shapes"] = ["Base", "Json"],
+                    ["Insects"] = ["Base", "Json", "Meshes", "Shapes"],
+                },
                 ["Alate.Editor"] = new Dictionary<string, string[]>
                 {
                     ["Base"] = [],
@@ -187,6 +197,7 @@ namespace Alate.Tests.Architecture
                     ["Gizmos"] = [],
                     ["Live"] = [],
                     ["Making"] = [],
+                    ["Importing"] = ["Making"],
                     ["Preview"] = [],
                     ["Skeletons"] = [],
                     ["Fixes"] = ["Skeletons"],

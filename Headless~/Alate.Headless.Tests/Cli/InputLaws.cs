@@ -76,9 +76,9 @@ public sealed class InputLaws
     {
         Assert.That(Quote.Of(new string('a', length)), Has.Length.EqualTo(2 + shown));
         Assert.That(Quote.Of(new string('a', 59) + "\U0001F98B\U0001F98B"), Is.EqualTo($"'{new string('a', 59)}…'"));
-        Assert.That(Quote.Words(new string('b', length) + " " + new string('c', 300)).Split(' ').Select(word => word.Length),
+        Assert.That(QuotedMessage.Words(new string('b', length) + " " + new string('c', 300)).Split(' ').Select(word => word.Length),
             Is.EqualTo(new[] { Math.Min(length, 261), 261 }));
-        Assert.That(Quote.Values($"not '{new string('d', length)}'."), Has.Length.EqualTo(7 + shown));
+        Assert.That(QuotedMessage.Values($"not '{new string('d', length)}'."), Has.Length.EqualTo(7 + shown));
     }
 
     [Test]
@@ -86,7 +86,7 @@ public sealed class InputLaws
     {
         foreach (string text in new[] { "abcdefgh", "éééé", "蝶蝶蝶", "a\U0001F98Bb" })
         {
-            string cut = Quote.Bytes(text, most);
+            string cut = QuotedMessage.Bytes(text, most);
             int whole = System.Text.Encoding.UTF8.GetByteCount(text);
             Assert.That(System.Text.Encoding.UTF8.GetByteCount(cut), Is.LessThanOrEqualTo(most));
             Assert.That(cut == text, Is.EqualTo(whole <= most));

@@ -14,17 +14,18 @@ namespace Alate.Catalogue
     {
         // Serialised, so that a clone knows it too.
         [SerializeField, HideInInspector]
-        private string m_Species;
+        private string m_Parts;
 
-        internal string Species
+        /// <summary>Key of the parts.</summary>
+        internal string Parts
         {
-            set => m_Species = value;
+            set => m_Parts = value;
         }
 
-        private void Awake() => GeneratedAssets.Acquire(m_Species);
+        private void Awake() => GeneratedAssets.Acquire(m_Parts);
 
         private void OnEnable() => PlayEnd.Listen();
 
-        private void OnDestroy() => GeneratedAssets.Return(m_Species);
+        private void OnDestroy() => GeneratedAssets.Return(m_Parts);
     }
 }

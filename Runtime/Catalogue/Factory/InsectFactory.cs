@@ -52,11 +52,11 @@ namespace Alate.Catalogue
 
         private static InsectWings CreateShared(InsectDefinition species, InsectVariant variant, ModelReading reading)
         {
-            SharedAssets assets = GeneratedAssets.Acquire(species.Name);
+            SharedAssets assets = GeneratedAssets.Acquire(species);
             GameObject made = assets.Assemble(variant, reading);
-            made.AddComponent<GeneratedInsect>().Species = species.Name;
+            made.AddComponent<GeneratedInsect>().Parts = assets.Key;
             InsectWings insect = Activated(made);
-            GeneratedAssets.Return(species.Name);
+            GeneratedAssets.Return(assets.Key);
             return insect;
         }
 

@@ -29,18 +29,27 @@ namespace Alate.Catalogue
         private const string k_Body = "Body";
         private static readonly WingSide[] s_Sides = { WingSide.Right, WingSide.Left };
 
-        /// <param name="species">Of what insect.</param>
-        /// <param name="wings">The kinds of wings, filled already or from now on.</param>
-        public InsectParts(InsectDefinition species, List<GeneratedWing> wings)
+        /// <param name="name">Display name of the insect.</param>
+        /// <param name="wings">The kinds of wings.</param>
+        public InsectParts(string name, IReadOnlyList<GeneratedWing> wings)
         {
-            Name = species.DisplayName;
+            Name = name;
             Wings = wings;
+        }
+
+        /// <summary>Names the kinds of wings of an insect.</summary>
+        /// <param name="species">The insect.</param>
+        /// <param name="wings">Its wings, filled already or from now on.</param>
+        public static InsectParts Of(InsectDefinition species, List<GeneratedWing> wings)
+        {
             for (int k = 0; k < species.Wings.Count; k++)
             {
                 if (k == wings.Count)
                     wings.Add(new GeneratedWing());
                 wings[k].kind = species.Wings[k];
             }
+
+            return new InsectParts(species.DisplayName, wings);
         }
 
         /// <summary>Display name of the insect.</summary>
@@ -61,7 +70,7 @@ namespace Alate.Catalogue
         /// <exception cref="InvalidOperationException">No shader was found.</exception>
         public static InsectParts Make(InsectDefinition species, bool keepPixels = false)
         {
-            var parts = new InsectParts(species, new List<GeneratedWing>());
+            InsectParts parts = Of(species, new List<GeneratedWing>());
             try
             {
                 parts.BodyMaterial = WingMaterial.ForBody(species, WingMaterial.DefaultTextureSize, keepPixels);

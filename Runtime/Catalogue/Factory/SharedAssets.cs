@@ -10,15 +10,19 @@ namespace Alate.Catalogue
     /// </summary>
     internal sealed class SharedAssets : ScriptableObject
     {
-        [SerializeField] private string m_Species = "";
+        [SerializeField] private string m_Key = "";
+        [SerializeField] private string m_Name = "";
         [SerializeField] private int m_Users;
         [SerializeField] private Mesh m_BodyMesh;
         [SerializeField] private Material m_BodyMaterial;
         [SerializeField] private List<GeneratedWing> m_Wings = new List<GeneratedWing>();
         [SerializeField] private List<Presets> m_Presets = new List<Presets>();
 
-        /// <summary>Name of the species in the catalogue.</summary>
-        public string Species => m_Species;
+        // Lost in a recompile, after which nobody can ask for more insects of it: who does has another definition.
+        private InsectDefinition m_Definition;
+
+        /// <summary>Name of the species in the catalogue, or key of an insect of the user's own.</summary>
+        public string Key => m_Key;
 
         /// <summary>Number of insects that use the parts.</summary>
         public int Users
@@ -28,15 +32,19 @@ namespace Alate.Catalogue
         }
 
         /// <summary>Makes the parts of a species, without users yet.</summary>
+        /// <param name="species">The insect.</param>
+        /// <param name="key">By which its parts are found.</param>
         /// <exception cref="InvalidOperationException">No shader was found.</exception>
-        public static SharedAssets Make(InsectDefinition species)
+        public static SharedAssets Make(InsectDefinition species, string key)
         {
             var parts = InsectParts.Make(species);
             parts.Hide();
             SharedAssets assets = CreateInstance<SharedAssets>();
             assets.name = parts.Name + " Assets";
             assets.hideFlags = HideFlags.HideAndDontSave;
-            assets.m_Species = species.Name;
+            assets.m_Key = key;
+            assets.m_Name = parts.Name;
+            assets.m_Definition = species;
             assets.m_BodyMesh = parts.BodyMesh;
             assets.m_BodyMaterial = parts.BodyMaterial;
             assets.m_Wings.AddRange(parts.Wings);
@@ -46,7 +54,7 @@ namespace Alate.Catalogue
         /// <summary>Puts an insect together, inactive, with presets that are shared and hidden as the other parts are.</summary>
         public GameObject Assemble(InsectVariant variant, ModelReading reading)
         {
-            InsectParts parts = Parts();
+            InsectParts parts = Parts(InsectParts.Of(m_Definition ?? InsectCatalogue.Find(m_Key), m_Wings));
             return parts.Assemble(PresetsOf(parts, variant, reading));
         }
 
@@ -59,19 +67,23 @@ namespace Alate.Catalogue
                     ObjectEnd.Destroy(made);
             }
 
-            Parts().Destroy();
+            Parts(new InsectParts(m_Name, m_Wings)).Destroy();
             ObjectEnd.Destroy(this);
         }
 
         // Called after a recompile as well; one that is being made has no species yet.
         private void OnEnable()
         {
-            if (!string.IsNullOrEmpty(m_Species))
+            if (!string.IsNullOrEmpty(m_Key))
                 GeneratedAssets.Remember(this);
         }
 
-        private InsectParts Parts() =>
-            new InsectParts(InsectCatalogue.Find(m_Species), m_Wings) { BodyMesh = m_BodyMesh, BodyMaterial = m_BodyMaterial };
+        private InsectParts Parts(InsectParts parts)
+        {
+            parts.BodyMesh = m_BodyMesh;
+            parts.BodyMaterial = m_BodyMaterial;
+            return parts;
+        }
 
         private WingPreset[] PresetsOf(InsectParts parts, InsectVariant variant, ModelReading reading)
         {

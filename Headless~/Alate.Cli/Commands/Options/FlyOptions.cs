@@ -147,7 +147,7 @@ internal sealed class FlyOptions
     public FlightPlan Plan(ParseResult parsed, string species, InsectDefinition flown = null)
     {
         string name = species ?? parsed.GetValue(m_Species);
-        InsectDefinition named = flown ?? (InsectFile.IsNamed(name) ? KnownSpecies.Find(name)
+        InsectDefinition named = flown ?? (KnownSpecies.IsFile(name) ? KnownSpecies.Find(name)
             : InsectCatalogue.TryFind(name, out InsectDefinition known) ? known : null);
         var plan = new FlightPlan
         {

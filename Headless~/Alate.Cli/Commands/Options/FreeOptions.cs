@@ -106,7 +106,7 @@ internal sealed class FreeOptions
         Option given = ((Option[])[.. Flown, m_Record]).FirstOrDefault(option => IsGiven(parsed, option));
         if (given != null || seconds != null)
             throw new UserException($"--replay takes no {given?.Name ?? "--seconds"}: the recording says it.");
-        InsectDefinition own = flown ?? (InsectFile.IsNamed(species) ? KnownSpecies.Find(species) : null);
+        InsectDefinition own = flown ?? (KnownSpecies.IsFile(species) ? KnownSpecies.Find(species) : null);
         var replay = Replay.Read(file, own);
         if (species != null && !string.Equals(own?.Name ?? species, replay.Species.Name, StringComparison.OrdinalIgnoreCase))
             throw new UserException($"'{file}' was flown by the {replay.Species.Name}, not by '{species}'.");

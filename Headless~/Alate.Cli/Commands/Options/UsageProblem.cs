@@ -20,7 +20,7 @@ internal static class UsageProblem
             return null;
         return command.Subcommands.Count > 0
             ? $"'{command.Name}' needs a command. {Known(command)}"
-            : Quote.Values(parsed.Errors[0].Message);
+            : QuotedMessage.Values(parsed.Errors[0].Message);
     }
 
     private static bool IsOption(string word) => word.Length > 2 && word.StartsWith("--", StringComparison.Ordinal);

@@ -24,8 +24,8 @@ internal sealed class FileSchema(ObjectShape root, string fileName, string title
     {
         var definitions = new JsonObject();
         foreach (ObjectShape kind in Objects.Skip(1))
-            definitions[kind.Name] = kind.Definition();
-        JsonObject file = root.Definition();
+            definitions[kind.Name] = ShapeSchema.Definition(kind);
+        JsonObject file = ShapeSchema.Definition(root);
         file.Insert(0, "$schema", "https://json-schema.org/draft/2020-12/schema");
         file.Insert(1, "title", title);
         file.Insert(2, "description", description);
@@ -60,9 +60,11 @@ internal sealed class FileSchema(ObjectShape root, string fileName, string title
     {
         string name = $"`{key.Name}`" + (key.IsNeeded ? ", needed" : "");
         return hasNumbers
-            ? [name, key.Shape.Words, key is PresetKey number ? InsectFileText.Pretty(number.Of(monarch)).Trim() : "", key.Help]
+            ? [name, key.Shape.Words, key is PresetKey number ? Value(number, monarch) : "", key.Help]
             : [name, key.Shape.Words, key.Help];
     }
+
+    private static string Value(PresetKey key, WingPreset preset) => InsectFileText.Pretty(FileNodes.Of(key.Of(preset))).Trim();
 
     private static string MarkdownTable(IReadOnlyList<IReadOnlyList<string>> rows) => string.Concat(
         rows.Select((row, k) => $"| {string.Join(" | ", row)} |\n" + (k == 0 ? $"{string.Concat(row.Select(_ => "|---"))}|\n" : "")));

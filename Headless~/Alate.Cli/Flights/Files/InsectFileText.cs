@@ -25,7 +25,7 @@ internal static class InsectFileText
         foreach (WingDefinition wing in insect.Wings)
         {
             JsonNode own = file[InsectKeys.Wings][wing.Name];
-            own[InsectKeys.Hinge] = FilePlace.Node(wing.Hinge);
+            own[InsectKeys.Hinge] = FileNodes.Place(wing.Hinge);
             Copy(said?[InsectKeys.Wings]?[wing.Name], own, InsectKeys.Mesh, InsectKeys.Skeleton, InsectKeys.Texture, InsectKeys.Flexural,
                 InsectKeys.Torsional, InsectKeys.VeinWidths);
         }
@@ -97,17 +97,17 @@ internal static class InsectFileText
 
     private static void Add(PresetKey key, List<WingPreset> presets, List<WingPreset> standard, JsonObject common, List<JsonObject> own)
     {
-        List<string> values = presets.ConvertAll(preset => key.Of(preset).ToJsonString());
-        if (standard != null && values.SequenceEqual(standard.Select(preset => key.Of(preset).ToJsonString())))
+        List<string> values = presets.ConvertAll(preset => FileNodes.Of(key.Of(preset)).ToJsonString());
+        if (standard != null && values.SequenceEqual(standard.Select(preset => FileNodes.Of(key.Of(preset)).ToJsonString())))
             return;
         if (own == null || common != null && values.TrueForAll(value => value == values[0]))
         {
-            common[key.Name] = key.Of(presets[0]);
+            common[key.Name] = FileNodes.Of(key.Of(presets[0]));
             return;
         }
 
         for (int k = 0; k < presets.Count; k++)
-            own[k][key.Name] = key.Of(presets[k]);
+            own[k][key.Name] = FileNodes.Of(key.Of(presets[k]));
     }
 
     private static List<WingPreset> Presets(InsectDefinition insect, InsectVariant variant) =>
@@ -115,9 +115,9 @@ internal static class InsectFileText
 
     private static JsonObject Part(BodyEllipsoid part) => new()
     {
-        [InsectKeys.Centre] = FilePlace.Node(part.centre),
-        [InsectKeys.HalfAxes] = FilePlace.Node(part.halfAxes),
-        [InsectKeys.MassShare] = FileNumber.Node(part.share, 1m),
+        [InsectKeys.Centre] = FileNodes.Place(part.centre),
+        [InsectKeys.HalfAxes] = FileNodes.Place(part.halfAxes),
+        [InsectKeys.MassShare] = FileNodes.Number(part.share, 1m),
     };
 
     private static JsonObject Source(InsectSource source)

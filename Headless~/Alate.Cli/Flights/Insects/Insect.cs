@@ -31,7 +31,8 @@ internal sealed class Insect
         Insect insect = plan.MeshFile == null ? FromCatalogue(definition, plan) : FromFiles(definition, plan);
         if (plan.KinematicsFile != null)
         {
-            var motion = KinematicsFile.Read(plan.KinematicsFile, insect.Wings.Select(wing => wing.Name).ToList());
+            var motion = KinematicsFile.Read(
+                plan.KinematicsFile, insect.Wings.Select(wing => wing.Name).ToList(), InputFiles.Instance);
             foreach (InsectWing wing in insect.Wings)
                 motion.ApplyTo(wing.Name, wing.Preset);
         }
@@ -75,7 +76,7 @@ internal sealed class Insect
 
     private static InsectWing FromFiles(WingDefinition model, FlightPlan plan, string meshFile, string skeletonFile, string textureFile)
     {
-        var files = WingFiles.Read(meshFile, skeletonFile, textureFile);
+        var files = WingFiles.Read(meshFile, skeletonFile, textureFile, InputFiles.Instance);
         return Own(model, plan, files.Mesh.ToSurface(meshFile), files.Mesh.Colours, files.Skeleton,
             files.Picture == null ? null : WingTexture.Of(files.Picture));
     }

@@ -1,4 +1,3 @@
-using System.Text.Json;
 using System.Text.Json.Nodes;
 
 namespace Alate.Cli;
@@ -21,14 +20,14 @@ internal sealed record FlownRun(string Version, InsectDefinition Insect, RunReco
         try
         {
             var root = JsonPlace.Read(new StringReader(all));
-            JsonPlace insect = Member(root, InsectKey, JsonTokenType.StartObject);
+            JsonPlace insect = Member(root, InsectKey, JsonKind.Object);
             string own = root[InsectFileKey] == null ? null : Text(root, InsectFileKey);
-            var words = Member(root, CommandKey, JsonTokenType.StartArray).Items.Select(Text).ToList();
-            var inputs = Member(root, InputsKey, JsonTokenType.StartArray).Items
+            var words = Member(root, CommandKey, JsonKind.List).Items.Select(Text).ToList();
+            var inputs = Member(root, InputsKey, JsonKind.List).Items
                 .Select(input => new InputHash(Text(input, FileKey), Text(input, HashKey))).ToList();
             foreach (InputHash input in inputs.Where(input => input.File != own))
                 Check(input);
-            InsectDefinition flown = InsectFile.Read(insect, own ?? path);
+            InsectDefinition flown = InsectFile.Read(insect, own ?? path, InputFiles.Instance);
             (flown.FilePath, flown.FileText) = (own, own == null ? null : JsonNode.Parse(all)[InsectKey].ToJsonString());
             return new FlownRun(Text(root, VersionKey), flown, new RunRecord(words) { Inputs = inputs });
         }
@@ -48,15 +47,15 @@ internal sealed record FlownRun(string Version, InsectDefinition Insect, RunReco
         }
     }
 
-    private static JsonPlace Member(JsonPlace place, string key, JsonTokenType kind)
+    private static JsonPlace Member(JsonPlace place, string key, JsonKind kind)
     {
         JsonPlace member = place[key]
             ?? throw place.Wrong($"'{key}' is missing, so that it is no summary of 'fly' that can be flown again");
         return member.Kind == kind ? member : throw member.Wrong($"it must not be {member.Shown}");
     }
 
-    private static string Text(JsonPlace place, string key) => Text(Member(place, key, JsonTokenType.String));
+    private static string Text(JsonPlace place, string key) => Text(Member(place, key, JsonKind.Text));
 
     private static string Text(JsonPlace value) =>
-        value.Kind == JsonTokenType.String ? value.Text : throw value.Wrong($"it must be a text, not {value.Shown}");
+        value.Kind == JsonKind.Text ? value.Text : throw value.Wrong($"it must be a text, not {value.Shown}");
 }

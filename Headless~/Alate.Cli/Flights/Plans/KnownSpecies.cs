@@ -9,7 +9,10 @@ internal static class KnownSpecies
     /// <summary>The species of the catalogue or the insect file that an argument names.</summary>
     /// <exception cref="UserException">There is none; the message lists those there are, or names the place in the file.</exception>
     public static InsectDefinition Find(string argument) =>
-        InsectFile.IsNamed(argument) ? InsectFile.Read(argument) : FindInCatalogue(argument);
+        IsFile(argument) ? InsectFile.Read(argument, InputFiles.Instance) : FindInCatalogue(argument);
+
+    /// <summary>Returns true for an argument that names a file, not an insect of the catalogue.</summary>
+    public static bool IsFile(string argument) => argument != null && argument.EndsWith(".json", StringComparison.OrdinalIgnoreCase);
 
     /// <summary>The species of a name.</summary>
     /// <exception cref="UserException">There is none; the message lists those there are.</exception>

@@ -17,7 +17,7 @@ internal static class DroppedInsect
     public static DroppedFile Find(IReadOnlyList<DroppedFile> files)
     {
         var named = files.Where(file => file.Name.EndsWith(InsectFile.Ending, StringComparison.OrdinalIgnoreCase)).ToList();
-        var texts = files.Where(file => InsectFile.IsNamed(file.Name)).ToList();
+        var texts = files.Where(file => KnownSpecies.IsFile(file.Name)).ToList();
         return named.Count == 1 ? named[0] : named.Count == 0 && texts.Count == 1 ? texts[0] : null;
     }
 
@@ -46,7 +46,7 @@ internal static class DroppedInsect
                     Write(folder.FullName, Path.Combine(beside, file.Name), file.Content);
             }
 
-            return InsectFile.Read(main);
+            return InsectFile.Read(main, InputFiles.Instance);
         }
         catch (UserException problem)
         {

@@ -193,7 +193,7 @@ internal sealed class ViewSession(WebSocket socket, SimulationThread simulation,
         try
         {
             if (socket.State is WebSocketState.Open or WebSocketState.CloseReceived)
-                await socket.CloseOutputAsync(status, Quote.Bytes(reason, k_LongestReason), patience.Token);
+                await socket.CloseOutputAsync(status, QuotedMessage.Bytes(reason, k_LongestReason), patience.Token);
         }
         catch (Exception problem) when (problem is OperationCanceledException or WebSocketException or IOException
             or InvalidOperationException)

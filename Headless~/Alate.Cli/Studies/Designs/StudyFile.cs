@@ -1,5 +1,3 @@
-using System.Text.Json;
-
 namespace Alate.Cli;
 
 /// <summary>A study file as it stands.</summary>
@@ -15,7 +13,7 @@ internal sealed class StudyFile
         Path = path;
         Text = text;
         Insect = root[StudyKeys.Insect].Text;
-        if (InsectFile.IsNamed(Insect))
+        if (KnownSpecies.IsFile(Insect))
             Insect = System.IO.Path.Combine(System.IO.Path.GetDirectoryName(path) ?? "", Insect);
         Options = root[StudyKeys.Options]?.Items.Select(word => word.Text).ToArray() ?? [];
         Design = root[StudyKeys.Design]?.Text ?? StudyDesign.Grid;
@@ -129,7 +127,7 @@ internal sealed class StudyFile
         }
 
         bool isLogarithmic = place[StudyKeys.Scale]?.Text == StudyKeys.Logarithmic,
-            isWhole = place[StudyKeys.Whole]?.Kind == JsonTokenType.True || key == FlightNumbers.Substeps.Name;
+            isWhole = place[StudyKeys.Whole]?.Kind == JsonKind.True || key == FlightNumbers.Substeps.Name;
         if (place[StudyKeys.Values] is { } listed)
         {
             JsonPlace other = new[] { StudyKeys.From, StudyKeys.To, StudyKeys.Steps, StudyKeys.Scale }.Select(word => place[word])

@@ -111,7 +111,8 @@ internal sealed class StudyPlan
 
         try
         {
-            return InsectFile.Read(JsonPlace.Read(new StringReader(insect.ToJsonString())), Flight.Definition.FilePath ?? File.Path);
+            return InsectFile.Read(
+                JsonPlace.Read(new StringReader(insect.ToJsonString())), Flight.Definition.FilePath ?? File.Path, InputFiles.Instance);
         }
         catch (FormatException problem)
         {

@@ -31,7 +31,7 @@ internal sealed record FittedWing : FoundWing
         if (GlbMesh.IsNamed(file))
             return OfGlb(file);
         ObjMesh mesh = TextFile.Read(file, ObjReader.Read, InputFile.Mesh);
-        string picture = mesh.Uvs == null ? null : ObjMaterial.FindPicture(file, mesh.Library);
+        string picture = mesh.Uvs == null ? null : ObjMaterial.FindPicture(file, mesh.Library, InputFiles.Instance);
         return Of(file, mesh, null, picture == null ? null : PictureFile.Read(picture));
     }
 

@@ -47,7 +47,7 @@ internal sealed record NewInsect(string Name, InsectDefinition Like, decimal Mas
             GlbMesh.Read(BodyMesh.Value.File);
         try
         {
-            InsectFile.Read(JsonPlace.Read(new StringReader(Text(hasFiles: false))), File);
+            InsectFile.Read(JsonPlace.Read(new StringReader(Text(hasFiles: false))), File, InputFiles.Instance);
         }
         catch (FormatException problem)
         {

@@ -54,6 +54,31 @@ namespace Alate.Tests.Play
         }
 
         [UnityTest]
+        public IEnumerator InsectsOfTheUsersOwn_ShareAmongThemselvesAlone_WhateverTheirName()
+        {
+            InsectDefinition firefly = InsectCatalogue.Find("firefly");
+            InsectDefinition Own() => new InsectDefinition("firefly", "Own", firefly.Wings, firefly.Body, firefly.Sources);
+            InsectDefinition own = Own();
+            InsectWings one = Made(own), two = Made(own), other = Made(Own()), known = Made("firefly");
+            yield return Frames(2);
+
+            Assert.That(one.State, Is.EqualTo(InsectState.Ready), one.Problem.Message);
+            Assert.That(two.Wings[0].Skeleton, Is.SameAs(one.Wings[0].Skeleton));
+            Assert.That(other.Wings[0].Skeleton, Is.Not.SameAs(one.Wings[0].Skeleton));
+            Assert.That(known.Wings[0].Skeleton, Is.Not.SameAs(one.Wings[0].Skeleton));
+            Assert.That(GeneratedAssets.InUse, Has.Count.EqualTo(3));
+            Object.Destroy(one.gameObject);
+            Object.Destroy(other.gameObject);
+            yield return Frames(2);
+            Assert.That(GeneratedAssets.InUse, Has.Count.EqualTo(2));
+            InsectWings clone = Keep(Object.Instantiate(two.gameObject)).GetComponent<InsectWings>();
+            Object.Destroy(two.gameObject);
+            yield return Frames(2);
+            Assert.That(clone.State, Is.EqualTo(InsectState.Ready), "its parts are still there");
+            Assert.That(GeneratedAssets.InUse, Has.Count.EqualTo(2));
+        }
+
+        [UnityTest]
         public IEnumerator InsectsOfOneSpecies_ShareEverythingButTheirLivingMeshes()
         {
             InsectWings one = Made("swallowtail"), two = Made("swallowtail");
@@ -169,9 +194,14 @@ namespace Alate.Tests.Play
             }
         }
 
-        private InsectWings Made(string name, InsectVariant variant = InsectVariant.Standard, ModelReading reading = ModelReading.Physical)
+        private InsectWings Made(
+            string name, InsectVariant variant = InsectVariant.Standard, ModelReading reading = ModelReading.Physical) =>
+            Kept(InsectFactory.Create(name, variant, reading));
+
+        private InsectWings Made(InsectDefinition own) => Kept(InsectFactory.Create(own));
+
+        private InsectWings Kept(InsectWings insect)
         {
-            InsectWings insect = InsectFactory.Create(name, variant, reading);
             Keep(insect.gameObject);
             insect.Quality.culling = WingCulling.AlwaysSimulate;
             return insect;

@@ -59,7 +59,7 @@ namespace Alate.Tests.Play
             Assert.That(WingSystem.Loop, Is.Null, "the system has outlived its insects");
             Assert.That(LivingMeshes.Count, Is.Zero, "living meshes were left behind");
             Assert.That(
-                GeneratedAssets.InUse.Select(assets => (assets.Species, assets.Users)),
+                GeneratedAssets.InUse.Select(assets => (assets.Key, assets.Users)),
                 Is.EquivalentTo(m_Kept.Select(species => (species, 1))), "parts of generated insects were left behind");
             Assert.That(Resources.FindObjectsOfTypeAll<Mesh>(), Has.None.Property("name").Contains("(living)"));
             Assert.That(Resources.FindObjectsOfTypeAll<Mesh>(), Has.None.Property("name").Contains("(joints)"));
@@ -124,7 +124,7 @@ namespace Alate.Tests.Play
         {
             if (!KeepsParts)
                 return;
-            foreach (string species in GeneratedAssets.InUse.Select(assets => assets.Species).Except(m_Kept).ToList())
+            foreach (string species in GeneratedAssets.InUse.Select(assets => assets.Key).Except(m_Kept).ToList())
             {
                 GeneratedAssets.Acquire(species);
                 m_Kept.Add(species);
