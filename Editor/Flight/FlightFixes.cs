@@ -31,10 +31,7 @@ namespace Alate.Editor
             {
                 changed.Parts.Clear();
                 foreach (BodyEllipsoid part in monarch.FlightParts)
-                {
-                    changed.Parts.Add(
-                        new BodyEllipsoid { centre = scale * part.centre, halfAxes = scale * part.halfAxes, share = part.share });
-                }
+                    changed.Parts.Add(part.Scaled(scale));
             });
             return FixOutcome.Done();
         }

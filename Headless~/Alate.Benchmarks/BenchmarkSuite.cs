@@ -56,6 +56,7 @@ public static class BenchmarkSuite
         OnOneCore(() => Crowds(report, monarch, version01, plain));
         SystemFigures.Run(report);
         LivingFigures.Run(report);
+        MemoryFigures.Run(report);
         OnOneCore(() => UploadComparison.Run(report, monarch));
         OnOneCore(() => BakedFigures.Run(report));
         AuthoringFigures.Run(report);
@@ -83,6 +84,9 @@ public static class BenchmarkSuite
         OnOneCore(() => frames.AddRange(BakedFigures.Run(report)));
         return frames;
     }
+
+    /// <summary>Counts the memory of an insect that lives.</summary>
+    internal static List<InsectMemory> MeasureMemory(TextWriter output) => MemoryFigures.Run(new Report(output));
 
     private static void OnOneCore(Action measure)
     {

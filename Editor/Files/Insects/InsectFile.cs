@@ -86,7 +86,7 @@ namespace Alate.Files
             {
                 FlightParts = body?[InsectKeys.Parts] is { } parts
                     ? parts.Items.Select(Part).ToArray()
-                    : m_Like.FlightParts.Select(part => Scaled(part, (float)size)).ToArray(),
+                    : m_Like.FlightParts.Select(part => part.Scaled((float)size)).ToArray(),
                 Trims = m_Root[InsectKeys.Trims] is { } trims
                     ? m_Files.ReadText(Beside(trims), text => text.ReadToEnd())
                     : TrimTables.Of(m_Like),
@@ -238,7 +238,7 @@ namespace Alate.Files
             var origin = new Vector3((float)read.Origin.X, (float)read.Origin.Y, (float)read.Origin.Z);
             SurfaceMesh surface = read.ToSurface(m_Path);
             surface.positions = Array.ConvertAll(surface.positions, position => unit * (origin + position));
-            Mesh lit = surface.ToMesh(m_Path);
+            var lit = surface.ToMesh(m_Path);
             lit.RecalculateNormals();
             surface.normals = lit.normals;
             Object.DestroyImmediate(lit);
@@ -253,9 +253,6 @@ namespace Alate.Files
             halfAxes = FilePlace.Read(said[InsectKeys.HalfAxes]),
             share = FileNumber.ToPreset(said[InsectKeys.MassShare].Text, 1m),
         };
-
-        private static BodyEllipsoid Scaled(BodyEllipsoid part, float size) =>
-            new BodyEllipsoid { centre = size * part.centre, halfAxes = size * part.halfAxes, share = part.share };
 
         private InsectSource[] Sources() =>
             m_Root[InsectKeys.Sources]?.Items.Select(Source).ToArray() ?? Array.Empty<InsectSource>();

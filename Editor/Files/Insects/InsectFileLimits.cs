@@ -25,7 +25,7 @@ namespace Alate.Files
                     if (problem != null)
                         throw place.Wrong($"the {wing.Name} of the variant {InsectKeys.Word(variant)}: {problem}");
                     if (isHeavy)
-                        {
+                    {
                         throw place.Wrong(
                             $"the wings of the variant {InsectKeys.Word(variant)} weigh as much as the whole insect, or more");
                     }

@@ -122,7 +122,7 @@ namespace Alate.Files
             }
             double range = Math.Max(angles.Max() - angles.Min(), 1e-6);
             if (Math.Abs(angles[last] - angles[0]) > k_Periodic * range)
-                {
+            {
                 throw rows.Wrong(FormattableString.Invariant(
                     $"it is not periodic: {angles[0]:0.###}° at 0 and {angles[last]:0.###}° at 1"));
             }

@@ -67,7 +67,7 @@ namespace Alate.Files
                 colours = Mesh.Colours,
                 triangles = frame.mirrored ? SurfaceMesh.Turned(surface.triangles) : surface.triangles,
             };
-            UnityEngine.Mesh lit = shaped.ToMesh(meshFile);
+            var lit = shaped.ToMesh(meshFile);
             lit.RecalculateNormals();
             shaped.normals = lit.normals;
             UnityEngine.Object.DestroyImmediate(lit);

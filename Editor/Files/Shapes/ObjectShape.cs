@@ -45,7 +45,7 @@ namespace Alate.Files
         private string Instead(string typed)
         {
             const int k_Alike = 4;
-            List<string> near = m_Keys.Select(key => key.Name).Where(key => Alike(key, typed) >= Math.Min(k_Alike, key.Length)).ToList();
+            var near = m_Keys.Select(key => key.Name).Where(key => Alike(key, typed) >= Math.Min(k_Alike, key.Length)).ToList();
             int best = near.Count == 0 ? 0 : near.Max(key => Alike(key, typed));
             return near.Count > 0
                 ? $"is it {string.Join(" or ", near.Where(key => Alike(key, typed) == best))}?"

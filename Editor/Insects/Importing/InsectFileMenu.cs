@@ -1,4 +1,3 @@
-using Alate.Catalogue;
 using Alate.Files;
 using UnityEditor;
 

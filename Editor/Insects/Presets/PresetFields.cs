@@ -25,7 +25,7 @@ namespace Alate.Editor
             if (preset.hasMultipleDifferentValues || preset.objectReferenceValue == null || !m_Section.Draw())
                 return;
             Object asset = preset.objectReferenceValue;
-            bool locked = EditorUtility.IsPersistent(asset) && !AssetDatabase.IsOpenForEdit(asset);
+            bool locked = AssetLock.IsLocked(asset);
             UnityEditor.Editor.CreateCachedEditor(asset, null, ref m_Editor);
             EditorGUILayout.LabelField(locked ? Content.Locked : Content.Shared, EditorStyles.wordWrappedMiniLabel);
             using (new EditorGUI.IndentLevelScope())

@@ -53,8 +53,9 @@ namespace Alate.Editor
         /// lost.
         /// </summary>
         public static string LockOf(WingSkeleton skeleton) =>
-            AssetDatabase.Contains(skeleton) && !AssetDatabase.IsOpenForEdit(skeleton)
-                ? $"'{skeleton.name}' is read-only: check it out, or where it lies in a package, copy it into your project's Assets first."
+            AssetLock.IsLocked(skeleton)
+                ? $"'{skeleton.name}' is read-only: check it out, or where it is of a package or an imported file, copy it into your "
+                    + "project's Assets first."
                 : null;
     }
 }

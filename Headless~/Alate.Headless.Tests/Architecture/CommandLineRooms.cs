@@ -24,7 +24,6 @@ namespace Alate.Tests.Architecture
                 ["Alate.Formats"] = new Dictionary<string, string[]>
                 {
                     ["Gltf"] = [],
-                    ["Meshes"] = [],
                     ["Png"] = [],
                     ["Sound"] = [],
                     ["Tables"] = [],

@@ -197,6 +197,7 @@ namespace Alate.Tests.Architecture
                     ["Gizmos"] = [],
                     ["Live"] = [],
                     ["Making"] = [],
+                    ["Exporting"] = [],
                     ["Importing"] = ["Making"],
                     ["Preview"] = [],
                     ["Skeletons"] = [],

@@ -8,7 +8,7 @@ namespace Alate.Tests.Cli
     internal static class CommandProcess
     {
         /// <summary>Command by which a shell starts the program.</summary>
-        public static string Program => $"dotnet '{typeof(UserException).Assembly.Location}'";
+        public static string Program => $"dotnet '{typeof(KnownSpecies).Assembly.Location}'";
 
         /// <summary>Runs the program in a shell with these words behind its name.</summary>
         /// <returns>The exit code and what came out on the standard error.</returns>

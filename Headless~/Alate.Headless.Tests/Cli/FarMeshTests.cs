@@ -3,7 +3,6 @@ using System.Globalization;
 using System.IO;
 using System.Linq;
 using System.Text.Json;
-using Alate.Cli;
 using NUnit.Framework;
 using UnityEngine;
 

@@ -6,7 +6,6 @@ using System.Text.Json.Nodes;
 using Alate.Catalogue;
 using Alate.Cli;
 using Alate.Editor.Tests;
-using Alate.Formats;
 using NUnit.Framework;
 
 namespace Alate.Tests.Cli

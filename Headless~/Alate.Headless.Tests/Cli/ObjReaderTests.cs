@@ -2,7 +2,6 @@ using System;
 using System.IO;
 using System.Linq;
 using System.Text;
-using Alate.Cli;
 using FsCheck;
 using FsCheck.Fluent;
 using NUnit.Framework;

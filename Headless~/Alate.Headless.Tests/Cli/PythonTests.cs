@@ -174,7 +174,7 @@ public sealed class PythonTests
         var start = new ProcessStartInfo(k_Python, words) { RedirectStandardOutput = true, RedirectStandardError = true };
         start.Environment["PYTHONPATH"] = Folder;
         start.Environment["PYTHONDONTWRITEBYTECODE"] = "1";
-        start.Environment["ALATE_CLI"] = typeof(UserException).Assembly.Location;
+        start.Environment["ALATE_CLI"] = typeof(KnownSpecies).Assembly.Location;
         using var process = Process.Start(start);
         string output = process.StandardOutput.ReadToEnd(), errors = process.StandardError.ReadToEnd();
         process.WaitForExit();

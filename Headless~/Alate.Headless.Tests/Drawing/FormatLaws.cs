@@ -4,7 +4,6 @@ using System.IO;
 using System.Linq;
 using System.Text;
 using System.Text.Json.Nodes;
-using Alate.Cli;
 using Alate.Formats;
 using Alate.Tests.Bakes;
 using NUnit.Framework;

@@ -47,6 +47,7 @@ public sealed class InsectFileImporterTests
             "hind wing preset standard", "hind wing preset biological", "hind wing preset expressive", "hind wing preset flight",
         }));
         Assert.That(asset.Dependencies, Is.Empty);
+        Assert.That(asset.Objects.Values.All(AssetLock.IsLocked), "what is edited would be lost");
         Assert.That(main.GetComponent<InsectFlight>() == null, Is.True);
     }
 
@@ -109,7 +110,9 @@ public sealed class InsectFileImporterTests
         File.Delete(file);
 
         Assert.That(AssetDatabase.GetAssetPath(Selection.activeObject), Is.EqualTo("Assets/Moth/Moth.prefab"));
-        Assert.That(((GameObject)Selection.activeObject).GetComponent<InsectWings>().Preset.Size.insectMass, Is.EqualTo(33e-6f));
+        WingPreset preset = ((GameObject)Selection.activeObject).GetComponent<InsectWings>().Preset;
+        Assert.That(preset.Size.insectMass, Is.EqualTo(33e-6f));
+        Assert.That(AssetLock.IsLocked(preset), Is.False);
         Assert.That(AnsweredDialogs.Texts, Is.EqualTo(new[]
         {
             "Import Insect File: /*.json", "Import Insect File: /*.json",

@@ -5,7 +5,6 @@ using System.Linq;
 using System.Threading.Tasks;
 using Alate.Catalogue;
 using Alate.Cli;
-using Alate.Formats;
 using Alate.Tests.Cli;
 using NUnit.Framework;
 using OwnWing = Alate.Tests.Cli.OwnWing;

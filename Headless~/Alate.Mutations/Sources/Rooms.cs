@@ -7,8 +7,8 @@ namespace Alate.Mutations.Sources;
 internal static class Rooms
 {
     /// <summary>
-    /// Room of a file: a folder of Runtime, and of Runtime/Model; Authoring and Editor; a folder of the command line. Null for what has
-    /// none: tests, generated files.
+    /// Room of a file: a folder of Runtime, and of Runtime/Model; Authoring, Files and Editor; a folder of the command line. Null for what
+    /// has none: tests, generated files.
     /// </summary>
     /// <param name="path">Path from the root of the checkout, with slashes.</param>
     public static string Of(string path)
@@ -22,6 +22,7 @@ internal static class Rooms
             ["Runtime", "Model", var room, ..] => $"Model/{room}",
             ["Runtime", var room, ..] => room,
             ["Editor", "Authoring", ..] => "Authoring",
+            ["Editor", "Files", ..] => "Files",
             ["Editor", ..] => "Editor",
             ["Headless~", var project, _] => Project(project),
             ["Headless~", var project, var folder, ..] => $"{Project(project)}/{folder}",

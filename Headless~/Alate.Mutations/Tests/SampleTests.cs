@@ -32,6 +32,7 @@ internal sealed class SampleTests
     [TestCase("Runtime/Geometry/Filling/RimSampler.cs", "Geometry")]
     [TestCase("Runtime/Model/Forces/Drag.cs", "Model/Forces")]
     [TestCase("Editor/Authoring/Pictures/Png.cs", "Authoring")]
+    [TestCase("Editor/Files/Json/JsonReader.cs", "Files")]
     [TestCase("Editor/Skeletons/Tool/Handle.cs", "Editor")]
     [TestCase("Headless~/Alate.Cli/Sweeps/Sweep.cs", "Cli/Sweeps")]
     [TestCase("Runtime/Flight/AssemblyInfo.cs", null)]

@@ -27,5 +27,9 @@ namespace Alate.Flight
                 halfAxes = new Vector3((float)(1e-3 * a), (float)(1e-3 * b), (float)(1e-3 * c)),
                 share = (float)share,
             };
+
+        /// <summary>The ellipsoid in an insect of another size.</summary>
+        internal BodyEllipsoid Scaled(float size) =>
+            new BodyEllipsoid { centre = size * centre, halfAxes = size * halfAxes, share = share };
     }
 }

@@ -30,7 +30,7 @@ internal sealed class FileSchema(ObjectShape root, string fileName, string title
         file.Insert(1, "title", title);
         file.Insert(2, "description", description);
         file["$defs"] = definitions;
-        return InsectFileText.Pretty(file);
+        return PrettyJson.Write(file);
     }
 
     /// <summary>Tables of the manual: a heading and a table for each kind of object.</summary>
@@ -64,7 +64,7 @@ internal sealed class FileSchema(ObjectShape root, string fileName, string title
             : [name, key.Shape.Words, key.Help];
     }
 
-    private static string Value(PresetKey key, WingPreset preset) => InsectFileText.Pretty(FileNodes.Of(key.Of(preset))).Trim();
+    private static string Value(PresetKey key, WingPreset preset) => JsonText.Line(FileValue.Of(key.Of(preset)));
 
     private static string MarkdownTable(IReadOnlyList<IReadOnlyList<string>> rows) => string.Concat(
         rows.Select((row, k) => $"| {string.Join(" | ", row)} |\n" + (k == 0 ? $"{string.Concat(row.Select(_ => "|---"))}|\n" : "")));

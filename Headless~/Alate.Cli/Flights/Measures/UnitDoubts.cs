@@ -81,7 +81,7 @@ internal static class UnitDoubts
         {
             foreach (PresetKey key in keys.Where(key => key.Shape is NumberShape && key.Name.EndsWith("Degrees", StringComparison.Ordinal)))
             {
-                double value = double.Parse(FileNodes.Of(key.Of(preset)).ToJsonString(), CultureInfo.InvariantCulture);
+                double value = double.Parse(FileValue.Of(key.Of(preset)).Text, CultureInfo.InvariantCulture);
                 string subject = $"{group}.{key.Name} of the {name}";
                 string doubt = s_Ranges.Contains(key.Name)
                     ? AboutRange(subject, value) : AboutAngle(subject, value, (double)((NumberShape)key.Shape).Most);

@@ -2,7 +2,7 @@ using Alate.Benchmarks;
 
 namespace Alate.Cli;
 
-/// <summary>Chart and table of the documentation's page on performance.</summary>
+/// <summary>Chart and tables of the documentation's page on performance.</summary>
 internal static class PerformanceFigures
 {
     /// <summary>The page, in the documentation's folder.</summary>
@@ -25,14 +25,33 @@ internal static class PerformanceFigures
     /// <summary>All files, in the documentation's folder.</summary>
     public static IReadOnlyList<string> Files { get; } = [Page, k_Picture];
 
-    /// <summary>Measures, draws, and writes the page's table again.</summary>
+    /// <summary>Measures, draws, and writes the page's tables again.</summary>
     /// <param name="page">The page as it is.</param>
     /// <returns>Each of <see cref="Files"/> with its text.</returns>
     public static IEnumerable<(string Name, string Text)> Make(string page) =>
-        Make(page, BenchmarkSuite.MeasureCrowds(TextWriter.Null).FindAll(frame => frame.Insects >= k_Fewest));
+        Make(page, BenchmarkSuite.MeasureMemory(TextWriter.Null),
+            BenchmarkSuite.MeasureCrowds(TextWriter.Null).FindAll(frame => frame.Insects >= k_Fewest));
 
-    internal static IEnumerable<(string Name, string Text)> Make(string page, IReadOnlyList<LivingFrame> frames) =>
-        [(Page, PageBlock.Replace(page, "frames", MarkdownTable.Write(Table(frames)))), (k_Picture, Draw(frames))];
+    internal static IEnumerable<(string Name, string Text)> Make(
+        string page, IReadOnlyList<InsectMemory> memory, IReadOnlyList<LivingFrame> frames)
+    {
+        string counted = PageBlock.Replace(page, "memory", MarkdownTable.Write(Table(memory)));
+        return [(Page, PageBlock.Replace(counted, "frames", MarkdownTable.Write(Table(frames)))), (k_Picture, Draw(frames))];
+    }
+
+    private static IEnumerable<IReadOnlyList<string>> Table(IReadOnlyList<InsectMemory> memory)
+    {
+        yield return ["a monarch, kB", .. MemoryFigures.Crowds.Select(crowd => Array.Find(s_Crowds, one => one.Crowd == crowd).Name)];
+        foreach (string part in MemoryFigures.Parts)
+        {
+            yield return
+            [
+                part,
+                .. MemoryFigures.Crowds.Select(crowd => memory.First(one => one.Crowd == crowd && one.Part == part).Bytes / 1e3)
+                    .Select(bytes => bytes.ToString("0", CultureInfo.InvariantCulture)),
+            ];
+        }
+    }
 
     private static IEnumerable<IReadOnlyList<string>> Table(IReadOnlyList<LivingFrame> frames)
     {

@@ -107,7 +107,7 @@ internal sealed record NewInsect(string Name, InsectDefinition Like, decimal Mas
         sources.Add(Source(
             "mass of the wings, body, motion", "as written",
             $"those of the {Like.DisplayName}: its share of the mass, its body at this mass"));
-        return InsectFileText.Pretty(new JsonObject
+        return PrettyJson.Write(new JsonObject
         {
             [InsectKeys.VersionKey] = InsectKeys.Version,
             [InsectKeys.Name] = Name,

@@ -40,12 +40,14 @@ public sealed class ImportedAsset : IDisposable
         importer.assetPath = path;
         var context = new AssetImportContext(path);
         importer.OnImportAsset(context);
+        ProjectAssets.AddImported(importer, context.mainObject, context.Objects.Values);
         return new ImportedAsset(context);
     }
 
     /// <summary>Destroys all objects.</summary>
     public void Dispose()
     {
+        ProjectAssets.RemoveImported(_context.assetPath, Objects.Values);
         foreach (Object part in Objects.Values)
             Object.DestroyImmediate(part, true);
     }

@@ -37,6 +37,28 @@ public static class ProjectAssets
         ProjectFiles.Clear();
     }
 
+    /// <summary>An asset with all that an importer made of its file.</summary>
+    internal static void AddImported(AssetImporter importer, Object main, IEnumerable<Object> objects)
+    {
+        s_Importers[importer.assetPath] = importer;
+        if (main != null)
+            s_Assets[importer.assetPath] = main;
+        foreach (Object part in objects)
+        {
+            if (part != main)
+                s_Parts.Add(part, importer.assetPath);
+        }
+    }
+
+    /// <summary>Forgets such an asset.</summary>
+    internal static void RemoveImported(string path, IEnumerable<Object> objects)
+    {
+        s_Importers.Remove(path);
+        s_Assets.Remove(path);
+        foreach (Object part in objects)
+            s_Parts.Remove(part);
+    }
+
     internal static bool CanWrite(string path) => path.StartsWith("Assets/", StringComparison.Ordinal);
 
     internal static Object Load(string path) => s_Assets.GetValueOrDefault(path);

@@ -65,6 +65,16 @@ public static class NativeMemoryLedger
         }
     }
 
+    /// <summary>[source] Bytes in those allocations, such as "NativeArray&lt;Single&gt;".</summary>
+    public static IReadOnlyDictionary<string, long> BytesBySource()
+    {
+        lock (s_Gate)
+        {
+            return s_Lasting.Values.GroupBy(entry => entry.Source)
+                .ToDictionary(source => source.Key, source => source.Sum(entry => entry.size));
+        }
+    }
+
     /// <summary>One line for each live allocation; empty if there is none.</summary>
     public static string Describe()
     {
