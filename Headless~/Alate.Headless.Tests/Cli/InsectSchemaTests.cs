@@ -94,6 +94,18 @@ namespace Alate.Tests.Cli
             Assert.That(refused, Is.InRange(tried / 2, tried - tried / 14));
         }
 
+        [TestCase("fore wing", true)]
+        [TestCase("Fore Wing", false)]
+        [TestCase("", false)]
+        public void NamesOfWings_HaveLowerCaseLetters(string name, bool isOne)
+        {
+            var file = JsonPlace.Read(new StringReader(
+                $"{{ \"version\": 1, \"name\": \"own\", \"like\": \"dragonfly\", \"wings\": {{ \"{name}\": {{}} }} }}"));
+
+            Assert.That(() => InsectKeys.File.Check(file),
+                isOne ? Throws.Nothing : Throws.TypeOf<FormatException>().With.Message.Contains("it must be a name of lower-case letters"));
+        }
+
         [Test]
         public void KeysOfNumbers_EndInTheirUnit()
         {

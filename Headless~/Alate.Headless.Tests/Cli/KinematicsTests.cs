@@ -11,6 +11,8 @@ namespace Alate.Tests.Cli
     {
         private const string k_Frame = "{ 'frequencyHz': 20, 'angles': 'degrees', 'wings': { 'all': { 'flap': FLAP } } }";
 
+        private const string k_Start = "{ 'frequencyHz': 20, 'angles': 'degrees', 'wings': { 'all': { 'flap': 36, ";
+
         [Test]
         public void AFile_IsReadAsItIsPublished()
         {
@@ -26,6 +28,21 @@ namespace Alate.Tests.Cli
             double pitch = 10 + 54 * Math.Cos(0.2 * Math.PI + 89 * Math.PI / 180) + 2 * Math.Cos(0.4 * Math.PI - 88 * Math.PI / 180);
             Assert.That(wing.feather.At(0.1f), Is.EqualTo(-pitch).Within(1e-4), "feather is nose down");
         }
+
+        [Test]
+        public void FeatherAndTilt_ArePitchAndStrokePlane_FromTheOtherSide()
+        {
+            PresetKinematics one = Read(k_Start + "'feather': -10, 'tilt': 50 } } }").Wings["all"],
+                other = Read(k_Start + "'pitch': 10, 'strokePlane': 40 } } }").Wings["all"];
+
+            Assert.That((one.feather.mean, one.tilt.mean), Is.EqualTo((-10f, 50f)));
+            Assert.That((other.feather.mean, other.tilt.mean), Is.EqualTo((-10f, 50f)));
+        }
+
+        [TestCase("feather", "pitch")]
+        [TestCase("tilt", "strokePlane")]
+        public void TwoNamesOfOneAngle_ExcludeEachOther(string one, string other) => AssertRefused(
+            k_Start + $"'{one}': 1, '{other}': 2 }} }} }}", $"wings.all: '{one}' and '{other}' exclude each other.");
 
         [Test]
         public void ATable_IsTheSeriesThroughIt_InRadiansToo()
