@@ -24,9 +24,7 @@ namespace Alate.Editor
         {
             InsectDefinition monarch = InsectCatalogue.Find("monarch");
             InsectWings wings = flight.GetComponent<InsectWings>();
-            WingPreset made = monarch.Wings[0].CreatePreset(ModelReading.Physical, InsectVariant.Flight);
-            float scale = new PresetValues(wings.Preset).size.wingLength / made.WingLength;
-            UnityEngine.Object.DestroyImmediate(made);
+            float scale = new PresetValues(wings.Preset).size.wingLength / monarch.Wings[0].PresetLength(InsectVariant.Flight);
             Edits.Change(flight, "Take A Monarch's Body", changed =>
             {
                 changed.Parts.Clear();

@@ -24,6 +24,8 @@ namespace Alate.Files
         /// <summary>Paths that were asked for, each once, whether or not there was such a file.</summary>
         public IReadOnlyList<string> Paths => m_Paths;
 
+        public override bool Contains(string path) => File.Exists(Located(path));
+
         public override T ReadText<T>(string path, Func<TextReader, T> read) => Read(path, k_Text, read);
 
         public override T ReadMesh<T>(string path, Func<TextReader, T> read) => Read(path, k_Mesh, read);
@@ -56,11 +58,9 @@ namespace Alate.Files
 
         private byte[] Bytes(string path, long most)
         {
-            if (!m_Paths.Contains(path))
-                m_Paths.Add(path);
+            string file = Located(path);
             try
             {
-                string file = m_Locate(path);
                 if (!File.Exists(file))
                     throw new UserException($"Cannot read '{path}': there is no such file.");
                 long length = new FileInfo(file).Length;
@@ -74,6 +74,13 @@ namespace Alate.Files
             {
                 throw new UserException($"Cannot read '{path}': {problem.Message}");
             }
+        }
+
+        private string Located(string path)
+        {
+            if (!m_Paths.Contains(path))
+                m_Paths.Add(path);
+            return m_Locate(path);
         }
     }
 }

@@ -6,6 +6,9 @@ namespace Alate.Files
     /// <summary>Reads the files that an insect file names.</summary>
     internal abstract class FileSource
     {
+        /// <summary>Returns true where there is a file.</summary>
+        public abstract bool Contains(string path);
+
         /// <summary>Reads a text file.</summary>
         /// <param name="path">Its path.</param>
         /// <param name="read">Reads the text.</param>

@@ -121,7 +121,10 @@ namespace Alate.Files
             WingFiles files = mesh == null ? null : WingFiles.Read(
                 Beside(mesh), Beside(skeleton), texture == null ? null : Beside(texture), m_Files);
             double length = files == null ? model.Length * Growth(said, model) : Length(said, model);
-            var wing = new WingDefinition(name, model, length, files?.ToShape(Beside(mesh)))
+            MeshedWing shape = files?.ToShape(Beside(mesh));
+            if (files != null)
+                Object.DestroyImmediate(files.Skeleton);
+            var wing = new WingDefinition(name, model, length, shape)
             {
                 Hinge = said?[InsectKeys.Hinge] is { } hinge ? FilePlace.Read(hinge) : model.Hinge * size,
                 Picture = files?.Picture,
@@ -185,18 +188,10 @@ namespace Alate.Files
             Array.Exists(levels, level => level?[InsectKeys.Beat]?[key] != null);
 
         // Length that is said over that of the model.
-        private static double Growth(JsonPlace said, WingDefinition model) => Length(said, model) / (double)OwnLength(model);
+        private static double Growth(JsonPlace said, WingDefinition model) => Length(said, model) / (double)model.PresetLength();
 
         private static float Length(JsonPlace said, WingDefinition model) =>
-            said?[InsectKeys.OfWing[0].Name] is { } length ? FileNumber.ToPreset(length.Text, 1000m) : OwnLength(model);
-
-        private static float OwnLength(WingDefinition model)
-        {
-            WingPreset preset = model.CreatePreset();
-            float length = preset.WingLength;
-            Object.DestroyImmediate(preset);
-            return length;
-        }
+            said?[InsectKeys.OfWing[0].Name] is { } length ? FileNumber.ToPreset(length.Text, 1000m) : model.PresetLength();
 
         private static VeinMeasures[] Veins(JsonPlace said, WingDefinition wing)
         {

@@ -17,19 +17,19 @@ namespace Alate.Files
         /// <summary>Path of the first picture that the material library of a mesh names; null where there is none on the disk.</summary>
         /// <param name="mesh">Path of the mesh.</param>
         /// <param name="library">Name of its library; null for none.</param>
-        /// <param name="files">Reads the library.</param>
+        /// <param name="files">Finds and reads them.</param>
         public static string FindPicture(string mesh, string library, FileSource files)
         {
             if (library == null)
                 return null;
-            string folder = Path.GetDirectoryName(Path.GetFullPath(mesh)), path = Path.Combine(folder, library);
-            if (!File.Exists(path))
+            string folder = Path.GetDirectoryName(mesh) ?? "", path = Path.Combine(folder, library);
+            if (!files.Contains(path))
                 return null;
             string line = files.ReadText(path, reader => reader.ReadToEnd().Split('\n'))
                 .Select(text => text.Trim()).FirstOrDefault(text => text.StartsWith(k_Picture + ' ', StringComparison.Ordinal));
             string picture = line == null ? null : Path.Combine(folder, line.Substring(k_Picture.Length + 1).Trim());
             bool isPicture = picture != null && s_Endings.Contains(Path.GetExtension(picture).ToLowerInvariant());
-            return isPicture && File.Exists(picture) ? picture : null;
+            return isPicture && files.Contains(picture) ? picture : null;
         }
     }
 }

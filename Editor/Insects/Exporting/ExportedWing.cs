@@ -85,12 +85,15 @@ namespace Alate.Editor
         public JsonPlace Write(string folder, string stem)
         {
             var said = new JsonMembers();
+            SurfaceMesh surface = SurfaceMesh.FromMesh(m_Mesh);
+            surface.uvs = Full(m_Mesh.uv);
+            surface.colours = Full(m_Mesh.colors32);
             using (FileStream stream = File.Create(Path.Combine(folder, stem + ".obj")))
-                ObjWriter.Write(SurfaceMesh.FromMesh(m_Mesh), stream);
+                ObjWriter.Write(surface, stream);
             File.WriteAllText(Path.Combine(folder, stem + ".json"), SkeletonJson.Write(m_Wing.Skeleton));
             said.Add(InsectKeys.Mesh, FileValue.Of(stem + ".obj"));
             said.Add(InsectKeys.Skeleton, FileValue.Of(stem + ".json"));
-            byte[] picture = m_Mesh.uv.Length == 0 ? null : Picture(m_Wing.Renderer.sharedMaterial);
+            byte[] picture = surface.uvs == null ? null : Picture(m_Wing.Renderer.sharedMaterial);
             if (picture != null)
             {
                 File.WriteAllBytes(Path.Combine(folder, stem + ".png"), picture);
@@ -99,6 +102,8 @@ namespace Alate.Editor
 
             return said.ToPlace();
         }
+
+        private static T[] Full<T>(T[] values) => values.Length == 0 ? null : values;
 
         private static ExportedWing Of(string name, Wing wing, InsectWings insect)
         {

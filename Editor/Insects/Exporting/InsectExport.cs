@@ -57,9 +57,7 @@ namespace Alate.Editor
         {
             if (insect.TryGetComponent(out InsectFlight flight) && flight.Parts.Count > 0)
                 return flight.Parts.ToArray();
-            WingPreset preset = like.Wings[0].CreatePreset();
-            float scale = length / preset.WingLength;
-            UnityEngine.Object.DestroyImmediate(preset);
+            float scale = length / like.Wings[0].PresetLength();
             return like.FlightParts.Select(part => part.Scaled(scale)).ToArray();
         }
 

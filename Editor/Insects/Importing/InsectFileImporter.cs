@@ -34,7 +34,7 @@ namespace Alate.Editor
         /// <summary>Reads and imports the file; what is wrong with it is an error of the import with file, line and key.</summary>
         public override void OnImportAsset(AssetImportContext ctx)
         {
-            var files = new DiskFiles(FileUtil.GetPhysicalPath);
+            var files = new DiskFiles(path => FileUtil.GetPhysicalPath(Plain(path)));
             try
             {
                 ImportedInsect.Add(ctx, InsectFile.Read(ctx.assetPath, files), m_Flies);
@@ -47,7 +47,7 @@ namespace Alate.Editor
             foreach (string path in files.Paths)
             {
                 string asset = Plain(path);
-                if (asset != ctx.assetPath)
+                if (asset != ctx.assetPath && !Path.IsPathRooted(asset))
                     ctx.DependsOnSourceAsset(asset);
             }
         }

@@ -101,6 +101,23 @@ public sealed class InsectExportTests
     }
 
     [Test]
+    public void ThePictureOfTheMaterial_IsThatOfTheFile()
+    {
+        InsectWings insect = Made("firefly");
+        var paint = new Texture2D(2, 1);
+        Color32[] pixels = [new(200, 100, 50, 255), new(10, 20, 30, 128)];
+        paint.SetPixels32(pixels);
+        insect.Wings[0].Renderer.sharedMaterial.SetSurfaceTexture(paint);
+        string file = Path.Combine(m_Run.Folder, "own.insect.json");
+
+        Assert.That(InsectExport.Write(insect, file), Is.Null);
+        var read = WingMaterial.ForWing(InsectFile.Read(file).Wings[0], 64, true);
+        Assert.That(((Texture2D)read.SurfaceTexture()).GetPixels32(), Is.EqualTo(pixels));
+        WingMaterial.Destroy(read);
+        Object.DestroyImmediate(paint);
+    }
+
+    [Test]
     public void WhatCannotBeWritten_IsSaid()
     {
         InsectWings insect = Made("firefly");

@@ -2,6 +2,7 @@ using System.Collections.Generic;
 using System.IO;
 using System.Linq;
 using System.Text;
+using System.Text.RegularExpressions;
 using Alate.Editor;
 using Alate.Flight;
 using Alate.Tests.Cli;
@@ -16,7 +17,8 @@ namespace Alate.Tests.Editor;
 /// <summary>Insect files in a project, and the menu item that saves one from elsewhere.</summary>
 public sealed class InsectFileImporterTests
 {
-    private const string k_Path = "Assets/Moths/moth.insect.json", k_Menu = "Assets/Import Insect File…";
+    private const string k_Path = "Assets/Moths/moth.insect.json", k_Menu = "Assets/Import Insect File…",
+        k_Own = "\"wings\": { \"wing\": { \"mesh\": \"wing.obj\", \"skeleton\": \"wing.json\" } }";
 
     [TearDown]
     public void TakeAllAway()
@@ -83,6 +85,49 @@ public sealed class InsectFileImporterTests
         }
     }
 
+    [Test]
+    public void ThePictureOfAMaterial_IsFoundInTheProject_AndAMeshElsewhereIsNoDependency()
+    {
+        string far = Path.GetTempFileName();
+        File.WriteAllText(far, OwnWing.Obj());
+        Write("Assets/Moths/wing.json", OwnWing.Skeleton());
+        using (ImportedAsset asset = Import(Moth("firefly", $"\"wings\": {{ \"wing\": {{ \"mesh\": {JsonText.Line(FileValue.Of(far))}, "
+            + "\"skeleton\": \"wing.json\" } }")))
+        {
+            Assert.That(asset.Errors, Is.Empty);
+            Assert.That(asset.Dependencies, Is.EqualTo(new[] { "Assets/Moths/wing.json" }));
+        }
+
+        File.Delete(far);
+        string mapped = Regex.Replace(OwnWing.Obj(), @"^f (\d+) (\d+) (\d+)", "f $1/1 $2/1 $3/1", RegexOptions.Multiline);
+        Write("Assets/Moths/wing.obj", "mtllib wing.mtl\nvt 0 0\n" + mapped);
+        Write("Assets/Moths/wing.mtl", ObjMaterial.Write("wing", "paint.png"));
+        string[] all = ["Assets/Moths/wing.obj", "Assets/Moths/wing.json", "Assets/Moths/wing.mtl", "Assets/Moths/paint.png"];
+        using (ImportedAsset waits = Import(Moth("firefly", k_Own)))
+        {
+            Assert.That(waits.Errors, Is.Empty);
+            Assert.That(waits.Dependencies, Is.EqualTo(all));
+            Assert.That(waits.Objects.Keys, Has.No.Member("wing material picture"));
+        }
+
+        var paint = new Texture2D(2, 1);
+        Color32[] pixels = [new(200, 100, 50, 255), new(10, 20, 30, 128)];
+        paint.SetPixels32(pixels);
+        byte[] png = paint.EncodeToPNG();
+        Object.DestroyImmediate(paint);
+        ImportedAsset.Write("Assets/Moths/paint.png", png);
+        using (ImportedAsset painted = Import(Moth("firefly", k_Own)))
+        {
+            Assert.That(painted.Errors, Is.Empty);
+            Assert.That(painted.Dependencies, Is.EqualTo(all));
+            Assert.That(((Texture2D)painted.Objects["wing material picture"]).GetPixels32(), Is.EqualTo(pixels));
+        }
+
+        ImportedAsset.Write("Assets/Moths/paint.png", png[..20]);
+        using ImportedAsset damaged = Import(Moth("firefly", k_Own));
+        Assert.That(damaged.Errors, Is.EqualTo(new[] { "The picture of the wing is damaged, or neither a PNG nor a JPEG." }));
+    }
+
     [TestCase("{ \"version\": 1,\n \"name\": \"moth\" }", "Assets/Moths/moth.insect.json: line 1: 'like' is missing.")]
     [TestCase("{ \"version\": 1,\n \"name\": \"moth\", \"like\": \"monarch\",\n \"mass\": 3 }",
         "Assets/Moths/moth.insect.json: line 3, mass: unknown key; is it massMilligrams?.")]
@@ -119,6 +164,8 @@ public sealed class InsectFileImporterTests
             $"Import Insect File: {file}: line 1: 'version' is missing. [OK]", "Import Insect File: /*.json",
         }));
     }
+
+    private static void Write(string path, string text) => ImportedAsset.Write(path, Encoding.UTF8.GetBytes(text));
 
     private static string Moth(string like, string more) =>
         $"{{ \"version\": 1, \"name\": \"moth\", \"like\": \"{like}\",\n {more} }}";

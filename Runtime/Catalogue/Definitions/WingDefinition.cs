@@ -147,6 +147,15 @@ namespace Alate.Catalogue
             return preset;
         }
 
+        /// <summary>Length of the wing in a preset, metres.</summary>
+        internal float PresetLength(InsectVariant variant = InsectVariant.Standard)
+        {
+            WingPreset preset = CreatePreset(variant: variant);
+            float length = preset.WingLength;
+            UnityEngine.Object.DestroyImmediate(preset);
+            return length;
+        }
+
         /// <summary>Makes the flat area of the body's side on which the wing sits.</summary>
         internal HingeSeat CreateSeat()
         {

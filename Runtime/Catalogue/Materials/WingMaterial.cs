@@ -37,13 +37,14 @@ namespace Alate.Catalogue
         public static bool ShowsVertexColours(Shader shader) => shader != null && shader.name == ShaderName;
 
         /// <summary>
-        /// A material for a kind of wing, the same for left and right: its pattern as a texture, which is finer than vertex colours, or a
-        /// pale membrane where it has no pattern. Translucent where the pattern's alpha is below 1.
+        /// A material for a kind of wing, the same for left and right: its picture in its own size, or its pattern as a texture, which is
+        /// finer than vertex colours, or a pale membrane where it has neither. Translucent where the alpha is below 1.
         /// </summary>
         /// <param name="wing">The wing.</param>
         /// <param name="textureSize">Pixels along the longer side, 16 to 8192.</param>
         /// <exception cref="ArgumentOutOfRangeException">The size is out of range.</exception>
-        /// <exception cref="InvalidOperationException">No shader was found; the message says how to put one into the build.</exception>
+        /// <exception cref="InvalidOperationException">No shader was found; the message says how to put one into the build. Or the picture
+        /// of the wing is damaged.</exception>
         public static Material ForWing(WingDefinition wing, int textureSize = DefaultTextureSize) => ForWing(wing, textureSize, false);
 
         /// <summary>Material of a wing whose texture can be read and saved.</summary>
@@ -53,6 +54,13 @@ namespace Alate.Catalogue
                 throw new ArgumentNullException(nameof(wing));
             CheckSize(textureSize);
             Shader shader = RequireShader();
+            if (wing.Picture != null)
+            {
+                Color32[] own = Decode(wing, out int columns, out int rows);
+                return Create(
+                    shader, wing.Name, new SurfaceLook(ToTexture(wing.Name, own, columns, rows, keepPixels), true, HasClearPixels(own)));
+            }
+
             if (wing.Pattern == null)
             {
                 Material plain = Create(shader, wing.Name, new SurfaceLook(null, true, false));
@@ -144,6 +152,18 @@ namespace Alate.Catalogue
             texture.SetPixels32(pixels);
             texture.Apply(true, !keepPixels);
             return texture;
+        }
+
+        private static Color32[] Decode(WingDefinition wing, out int width, out int height)
+        {
+            var read = new Texture2D(1, 1);
+            bool isPicture = read.LoadImage(wing.Picture);
+            Color32[] pixels = read.GetPixels32();
+            (width, height) = (read.width, read.height);
+            ObjectEnd.Destroy(read);
+            return isPicture
+                ? pixels
+                : throw new InvalidOperationException($"The picture of the {wing.Name} is damaged, or neither a PNG nor a JPEG.");
         }
 
         private static bool HasClearPixels(Color32[] colours) => Array.Exists(colours, colour => colour.a < byte.MaxValue);

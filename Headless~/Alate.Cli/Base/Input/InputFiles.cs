@@ -10,6 +10,8 @@ internal sealed class InputFiles : FileSource
     /// <summary>The only one.</summary>
     public static InputFiles Instance { get; } = new();
 
+    public override bool Contains(string path) => File.Exists(path);
+
     public override T ReadText<T>(string path, Func<TextReader, T> read) => TextFile.Read(path, read);
 
     public override T ReadMesh<T>(string path, Func<TextReader, T> read) => TextFile.Read(path, read, InputFile.Mesh);

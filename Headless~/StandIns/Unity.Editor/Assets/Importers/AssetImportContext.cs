@@ -35,7 +35,7 @@ public class AssetImportContext
 
     public void DependsOnSourceAsset(string path)
     {
-        if (string.IsNullOrEmpty(path) || path == assetPath)
+        if (string.IsNullOrEmpty(path) || path == assetPath || System.IO.Path.IsPathRooted(path))
             throw new ArgumentException($"An asset cannot depend on '{path}'.", nameof(path));
         Dependencies.Add(path);
     }
