@@ -85,7 +85,7 @@ namespace Alate.Editor
         public JsonPlace Write(string folder, string stem)
         {
             var said = new JsonMembers();
-            SurfaceMesh surface = SurfaceMesh.FromMesh(m_Mesh);
+            var surface = SurfaceMesh.FromMesh(m_Mesh);
             surface.uvs = Full(m_Mesh.uv);
             surface.colours = Full(m_Mesh.colors32);
             using (FileStream stream = File.Create(Path.Combine(folder, stem + ".obj")))
