@@ -111,7 +111,7 @@ public sealed class InsectExportTests
         string file = Path.Combine(m_Run.Folder, "own.insect.json");
 
         Assert.That(InsectExport.Write(insect, file), Is.Null);
-        var read = WingMaterial.ForWing(InsectFile.Read(file).Wings[0], 64, true);
+        Material read = WingMaterial.ForWing(InsectFile.Read(file).Wings[0], 64, true);
         Assert.That(((Texture2D)read.SurfaceTexture()).GetPixels32(), Is.EqualTo(pixels));
         WingMaterial.Destroy(read);
         Object.DestroyImmediate(paint);
