@@ -57,8 +57,15 @@ namespace Alate.Tests.Wake
                 0.1 + 0.05 * Math.Sin(2.0 * Math.PI * t), 0.1 * Math.PI * Math.Cos(2.0 * Math.PI * t)),
         };
 
-        [Test]
-        public void TheAirGets_WhatTheWingsLose([Values] WakeMethod method, [Values(0.3f, 0f)] float core)
+        // Cores as wide as the chord move rings as no vortex does: the momentum is kept the worse, the wider the old ones are, whether they
+        // were as wide from the start or not.
+        [TestCase(WakeMethod.Strips, 0.3f, 0.3f, 0.3f, 0.05)]
+        [TestCase(WakeMethod.Panels, 0.3f, 0.3f, 0.3f, 0.05)]
+        [TestCase(WakeMethod.Strips, 0.25f, 0.4f, 0.1f, 0.05)]
+        [TestCase(WakeMethod.Panels, 0.25f, 0.4f, 0.1f, 0.05)]
+        [TestCase(WakeMethod.Strips, 0f, 0f, 0f, 0.08)]
+        [TestCase(WakeMethod.Panels, 0f, 0f, 0f, 0.08)]
+        public void TheAirGets_WhatTheWingsLose(WakeMethod method, float near, float far, float bound, double allowed)
         {
             var settings = new WakeSettings(method)
             {
@@ -68,8 +75,8 @@ namespace Alate.Tests.Wake
                 Stream = new float3(0f, 0f, -8f),
                 SuctionAlongChord = true,
             };
-            if (core > 0f)
-                settings.NearCore = settings.FarCore = settings.BoundCore = core;
+            if (near > 0f)
+                (settings.NearCore, settings.FarCore, settings.BoundCore) = (near, far, bound);
             // Sections of a thin plate: strips with a drag would lose momentum that no ring carries.
             using var wake = new FreeWake(
                 settings, new[] { new WakeWing(Beating()) { Coefficients = null, Downwash = MeasuredDownwash.None } });
@@ -84,8 +91,6 @@ namespace Alate.Tests.Wake
             }
 
             float3 gained = Impulse(wake) - before;
-            // With cores that widen, two vortices do not act on each other alike, and the momentum of the air drifts.
-            double allowed = core > 0f ? 0.05 : 0.08;
             Assert.That(math.length(gained + force) / math.length(force), Is.LessThan(allowed));
         }
     }
