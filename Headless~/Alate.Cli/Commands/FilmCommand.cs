@@ -20,6 +20,10 @@ internal static class FilmCommand
         };
         var compare = new Option<bool>("--compare") { Description = "The four columns of 'compare' beside one another." };
         var wake = new Option<bool>("--wake") { Description = "Shows the vortex rings that the wings leave, as 'wake' computes them." };
+        var transparent = new Option<bool>("--transparent")
+        {
+            Description = "Nothing lies behind the insect, for a ground of your own: pictures and a .webm video have an opacity.",
+        };
         Option<int?> beats = Numbers.OptionalCount("--beats", "N", 1, FilmPlan.MostBeats,
             $"Beats, 1 to {FilmPlan.MostBeats}. [default: {FilmPlan.DefaultBeats}, with --free {FilmPlan.FreeBeats}]");
         Option<int?> frames = Numbers.OptionalCount(
@@ -51,7 +55,8 @@ internal static class FilmCommand
         var folder = new Option<string>("--out") { HelpName = "DIR", Description = "Where the files go. [default: out/SPECIES-film]" };
         var command = new Command("film", "Films an insect in slow motion: an animated picture, and its frames.")
         {
-            species, variant, speed, free, compare, wake, beats, frames, rate, turn, width, view, sound, slowSound, video, folder,
+            species, variant, speed, free, compare, wake, beats, frames, rate, turn, width, view, transparent, sound, slowSound,
+            video, folder,
         };
         HelpExamples.Set(command, k_Examples);
         command.SetAction(parsed =>
@@ -61,6 +66,8 @@ internal static class FilmCommand
                 throw new UserException("--free flies with the variant flight; it takes neither --compare, --variant nor --speed.");
             if (parsed.GetValue(wake) && (isFree || parsed.GetValue(compare)))
                 throw new UserException("--wake goes with one insect on the spot, neither with --free nor with --compare.");
+            if (parsed.GetValue(transparent) && parsed.GetValue(compare))
+                throw new UserException("--transparent goes with one insect, not with --compare, whose words need a ground.");
             if (parsed.GetValue(slowSound) && parsed.GetValue(sound) == null)
                 throw new UserException("--slow-sound needs --sound FILE.wav.");
             InsectVariant shown = isFree ? InsectVariant.Flight : parsed.GetValue(variant) ?? InsectVariant.Standard;
@@ -77,6 +84,7 @@ internal static class FilmCommand
                 Columns = parsed.GetValue(compare) ? ComparisonColumn.All : [ComparisonColumn.FullModel],
                 IsFree = isFree,
                 HasWake = parsed.GetValue(wake),
+                IsTransparent = parsed.GetValue(transparent),
                 Beats = parsed.GetValue(beats) ?? (isFree ? FilmPlan.FreeBeats : FilmPlan.DefaultBeats),
                 Frames = parsed.GetValue(frames) ?? (isFree ? FilmPlan.FreeFrames : FilmPlan.DefaultFrames),
                 Rate = parsed.GetValue(rate) ?? FilmPlan.DefaultRate,
@@ -98,7 +106,7 @@ internal static class FilmCommand
         if (plan.SoundFile != null)
             OutputFile.Check(plan.SoundFile);
         if (plan.VideoFile != null)
-            FilmVideo.Check(plan.VideoFile);
+            FilmVideo.Check(plan.VideoFile, plan.IsTransparent);
         var terminal = new Terminal(output);
         int count = plan.Beats * plan.Frames;
         terminal.ShowProgress(count, (done, stage) =>
@@ -108,15 +116,15 @@ internal static class FilmCommand
             Color32[][] frames = film.Draw(done);
             stage("writing");
             folder.Write(k_Film, stream => stream.Write(film.Animation(frames)));
-            byte[][] files = Concurrently.Map(
-                frames, 8L * film.Size.x * film.Size.y, frame => TrueColourPng.Write(film.Size.x, film.Size.y, frame, []));
+            byte[][] files = Concurrently.Map(frames, 8L * film.Size.x * film.Size.y,
+                frame => TrueColourPng.Write(film.Size.x, film.Size.y, frame, [], plan.IsTransparent));
             for (int k = 0; k < count; k++)
                 folder.Write(Path.Combine("frames", $"{k + 1:0000}.png"), stream => stream.Write(files[k]));
             byte[] sound = plan.SoundFile == null ? null : Heard(film);
             if (sound != null)
                 OutputFile.Write(plan.SoundFile, stream => stream.Write(sound));
             if (plan.VideoFile != null)
-                FilmVideo.Write(plan.VideoFile, film.Size, plan.Rate, frames, sound);
+                FilmVideo.Write(plan.VideoFile, film.Size, plan.Rate, frames, sound, plan.IsTransparent);
         });
         folder.Commit();
         string numbered = Path.Combine("frames", $"0001.png … {count:0000}.png");
@@ -138,7 +146,8 @@ internal static class FilmCommand
         + "  film monarch --free\n"
         + "  film monarch --variant flight --wake --beats 1\n"
         + "  film dragonfly --sound dragonfly.wav\n"
-        + "  film monarch --beats 6 --video monarch.mp4\n\n"
+        + "  film monarch --beats 6 --video monarch.mp4\n"
+        + "  film monarch --transparent --video monarch.webm\n\n"
         + "Writes into the output folder:\n"
         + "  film.png         the film, an animated PNG that browsers and README pages play in a loop, with --free once\n"
         + "  frames/0001.png  its frames\n\n"

@@ -14,10 +14,11 @@ internal static class GalleryCommand
             "--width", "N", k_Narrowest, k_Widest, $"Pixels from side to side, {k_Narrowest} to {k_Widest}. [default: {k_Width}]");
         Argument<string[]> species = FlightOptions.AnySpecies();
         var wake = new Option<bool>("--wake") { Description = "Shows the vortex rings that the wings leave, as 'wake' computes them." };
+        var transparent = new Option<bool>("--transparent") { Description = "Nothing lies behind the insects, for a ground of your own." };
         var folder = new Option<string>("--out") { HelpName = "DIR", Description = "Where the file goes. [default: out/gallery]" };
         var command = new Command("gallery", "Draws insects in flight in one picture.")
         {
-            species, width, wake, folder,
+            species, width, wake, transparent, folder,
         };
         HelpExamples.Set(command,
             $"Examples:\n  gallery --out pictures\n  gallery monarch hawkmoth.insect.json\n\nWrites into the output folder:\n  {k_File}");
@@ -27,7 +28,9 @@ internal static class GalleryCommand
                 ? KnownSpecies.FindAny(names, InsectVariant.Expressive)
                 : null;
             using var target = OutputFolder.Prepare(parsed.GetValue(folder) ?? Path.Combine("out", "gallery"), k_File);
-            target.Write(k_File, stream => stream.Write(Gallery.Draw(parsed.GetValue(width) ?? k_Width, parsed.GetValue(wake), insects)));
+            byte[] picture = Gallery.Draw(
+                parsed.GetValue(width) ?? k_Width, parsed.GetValue(wake), insects, !parsed.GetValue(transparent));
+            target.Write(k_File, stream => stream.Write(picture));
             target.Commit();
             output.WriteLine($"Written: {Path.Combine(target.Root, k_File)}");
             return 0;

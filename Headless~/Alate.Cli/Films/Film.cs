@@ -68,6 +68,8 @@ internal sealed class Film
         List<StripPanel> panels = Panels(frames.SelectMany(frame => frame).Select(seen => seen.Pose.Bounds()).ToList());
         return Concurrently.Map(frames, SampleGrid.BytesOf(Size), frame =>
         {
+            if (m_Plan.IsTransparent)
+                return frame[0].Scene.Draw(frame[0].Pose, panels[0], PixelPage.Fineness, hasPaper: false);
             var page = new PixelPage();
             for (int k = 0; k < frame.Count; k++)
             {
@@ -87,8 +89,10 @@ internal sealed class Film
         double slow = flight.Wings[0].Frequency * m_Plan.Frames / m_Plan.Rate;
         string title = FormattableString.Invariant(
             $"{flight.Insect.DisplayName}, {slow:0.#} times slower than it beats: {flight.Wings[0].Frequency:0.#} Hz");
-        return IndexedPng.Write(Size.x, Size.y, frames, m_Plan.Rate, !m_Plan.IsFree,
-            [title, .. m_Plan.Columns.Count > 1 ? m_Plan.Columns.Select(column => column.Title) : []]);
+        string[] texts = [title, .. m_Plan.Columns.Count > 1 ? m_Plan.Columns.Select(column => column.Title) : []];
+        return m_Plan.IsTransparent
+            ? TrueColourPng.WriteFilm(Size.x, Size.y, frames, m_Plan.Rate, !m_Plan.IsFree, texts, hasOpacity: true)
+            : IndexedPng.Write(Size.x, Size.y, frames, m_Plan.Rate, !m_Plan.IsFree, texts);
     }
 
     /// <summary>Sound of the last column, as long as the film.</summary>

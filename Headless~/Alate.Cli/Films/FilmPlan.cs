@@ -18,6 +18,9 @@ internal sealed record FilmPlan
     /// <summary>True where the vortex rings that the wings leave are shown.</summary>
     public bool HasWake { get; init; }
 
+    /// <summary>True where nothing lies behind the insect: pixels without it are seen through.</summary>
+    public bool IsTransparent { get; init; }
+
     public int Beats { get; init; } = DefaultBeats;
 
     /// <summary>Frames of a beat.</summary>

@@ -28,23 +28,25 @@ internal static class Gallery
     /// <param name="width">Its width, pixels.</param>
     /// <param name="hasWake">True where the vortex rings that the wings leave are shown.</param>
     /// <param name="insects">In their order; null for all of the catalogue.</param>
-    public static byte[] Draw(int width, bool hasWake = false, IReadOnlyList<InsectDefinition> insects = null)
+    /// <param name="hasPaper">False where nothing lies behind them.</param>
+    public static byte[] Draw(int width, bool hasWake = false, IReadOnlyList<InsectDefinition> insects = null, bool hasPaper = true)
     {
         insects ??= s_Catalogue;
         (PhotoScene Scene, Pose Pose)[] photos = [.. insects.Select(insect => Photo(insect, hasWake))];
         var rows = new JustifiedRows([.. photos.Select(photo => Aspect(photo.Pose))], width, k_GapOverWidth * width, k_HeightOverWidth);
         int height = (int)math.ceil(rows.Height);
         var picture = new Color32[width * height];
-        Array.Fill(picture, Paper());
+        if (hasPaper)
+            Array.Fill(picture, Paper());
         for (int k = 0; k < photos.Length; k++)
         {
             (int2 corner, int2 size) = ((int2)math.round(rows[k].Corner), (int2)math.floor(rows[k].Size));
-            Color32[] pixels = photos[k].Scene.Draw(photos[k].Pose, StripPanel.Around(photos[k].Pose, size, k_Inset), 1f);
+            Color32[] pixels = photos[k].Scene.Draw(photos[k].Pose, StripPanel.Around(photos[k].Pose, size, k_Inset), 1f, hasPaper);
             for (int y = 0; y < size.y; y++)
                 Array.Copy(pixels, y * size.x, picture, (corner.y + y) * width + corner.x, size.x);
         }
 
-        return TrueColourPng.Write(width, height, picture, insects.Select(insect => insect.DisplayName));
+        return TrueColourPng.Write(width, height, picture, insects.Select(insect => insect.DisplayName), !hasPaper);
     }
 
     private static float Aspect(Pose pose)

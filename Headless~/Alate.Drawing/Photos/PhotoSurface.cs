@@ -15,6 +15,9 @@ internal sealed class PhotoSurface
     /// <summary>Light of that line over the wing's own.</summary>
     private const float k_LineLight = 0.3f;
 
+    /// <summary>Width over which the colours of a pattern blend in a shadow, wing lengths.</summary>
+    private const float k_Blurred = 0.02f;
+
     /// <summary>Most places of a pattern that are averaged at a sample.</summary>
     private const int k_MostTaps = 12;
 
@@ -28,6 +31,9 @@ internal sealed class PhotoSurface
     private readonly List<MarginEdge> m_Margin;
     private readonly bool m_IsThin, m_HasPattern;
     private readonly float m_HalfLine = k_HalfLine, m_LineDepth = k_Nearer;
+
+    /// <summary>[vertex] Share of the light that it takes away; null for what casts no shadow.</summary>
+    private readonly Lazy<float[]> m_Taken;
 
     private PhotoSurface(int index, List<MarginEdge> margin, float4[] values)
         : this(index, [], values, (value, _) => value / k_LineLight, true, false, margin)
@@ -47,6 +53,9 @@ internal sealed class PhotoSurface
         m_IsThin = isThin;
         m_HasPattern = hasPattern;
         m_Margin = margin;
+        bool isSolid = triangles.Length > 0 && (!isThin || margin.Count > 0);
+        float most = isThin ? 1f - Shading.Through : 1f;
+        m_Taken = isSolid ? new Lazy<float[]>(() => Array.ConvertAll(values, value => most * colourOf(value, k_Blurred).w)) : null;
     }
 
     /// <summary>A body, in the colours of its vertices.</summary>
@@ -60,7 +69,7 @@ internal sealed class PhotoSurface
     /// <param name="values">[vertex] What its colour is made of: a colour, a place in a pattern or a picture, a number.</param>
     /// <param name="colourOf">Linear light and opacity of such a value, over a width in wing lengths; null is a pale membrane.</param>
     /// <param name="hasPattern">True where values are places in something fine.</param>
-    /// <param name="hasEdge">False for no line around it.</param>
+    /// <param name="hasEdge">False for what is nothing solid, such as moving air: it has no line around it, and no shadow.</param>
     public static PhotoSurface Thin(
         int index, float3[] rest, int[] triangles, float4[] values, Func<float4, float, float4> colourOf, bool hasPattern = false,
         bool hasEdge = true) => new(
@@ -74,13 +83,24 @@ internal sealed class PhotoSurface
     public static PhotoSurface Outline(int index, float3[] rest, int[] triangles, float3 light) =>
         new(index, MeshMargin.Of(rest, triangles), Array.ConvertAll(rest, _ => new float4(light, 1f)));
 
+    /// <summary>True where it stands in the way of light; lines alone and moving air do not.</summary>
+    public bool CastsShadow => m_Taken != null;
+
+    /// <summary>Surface as it stands in the way of light; null where it does not.</summary>
+    /// <param name="points">[vertex] Metres.</param>
+    public ShadowCaster Caster(float3[] points) => CastsShadow ? new ShadowCaster(points, m_Triangles, m_Taken.Value) : null;
+
     /// <summary>Draws the surface.</summary>
     /// <param name="grid">Where to.</param>
     /// <param name="places">[vertex] x and y in samples, z the depth.</param>
     /// <param name="normals">[vertex] Unit vectors on the body.</param>
     /// <param name="shading">The light.</param>
     /// <param name="softness">Width over which the colours of a wing's pattern blend, wing lengths.</param>
-    public void Draw(SampleGrid grid, float3[] places, float3[] normals, Shading shading, float softness)
+    /// <param name="received">
+    /// Shares of the key light and of the light from all around at a place of a triangle, by its corners and their shares; null for all.
+    /// </param>
+    public void Draw(
+        SampleGrid grid, float3[] places, float3[] normals, Shading shading, float softness, Func<int3, float3, float2> received = null)
     {
         for (int k = 0; k < m_Triangles.Length; k += 3)
         {
@@ -93,7 +113,8 @@ internal sealed class PhotoSurface
                     return;
                 float4 colour = Mean(share.x * m_Values[t.x] + share.y * m_Values[t.y] + share.z * m_Values[t.z], along, softness);
                 float3 normal = math.normalizesafe(share.x * normals[t.x] + share.y * normals[t.y] + share.z * normals[t.z]);
-                grid.Add(x, y, depth, new float4(shading.Light(colour.xyz, normal, m_IsThin), colour.w), m_Index);
+                float2 lit = received == null ? 1f : received(t, share);
+                grid.Add(x, y, depth, new float4(shading.Light(colour.xyz, normal, m_IsThin, lit.x, lit.y), colour.w), m_Index);
             });
         }
 

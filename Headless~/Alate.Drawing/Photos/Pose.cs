@@ -6,6 +6,9 @@ internal sealed class Pose
     /// <summary>[surface][vertex] As the camera sees them.</summary>
     public List<float3[]> Places { get; } = [];
 
+    /// <summary>[surface][vertex] As they lie before the camera, metres.</summary>
+    public List<float3[]> Points { get; } = [];
+
     /// <summary>[surface][vertex] On the body.</summary>
     public List<float3[]> Normals { get; } = [];
 

@@ -133,6 +133,24 @@ internal sealed class SampleGrid
         return pixels;
     }
 
+    /// <summary>
+    /// The pixels with nothing behind them, row by row from above: colours, and opacities by which they lie over any ground. On black and
+    /// on white they look as if they were painted there.
+    /// </summary>
+    public Color32[] Cutout()
+    {
+        Color32[] dark = Pixels(0f), light = Pixels(1f), pixels = new Color32[dark.Length];
+        for (int k = 0; k < pixels.Length; k++)
+        {
+            float3 least = new(dark[k].r, dark[k].g, dark[k].b), most = new(light[k].r, light[k].g, light[k].b);
+            float opacity = math.saturate(1f - math.csum(most - least) / (3f * 255f));
+            Color32 shown = Bytes(math.saturate(least / math.max(255f * opacity, 1f)));
+            pixels[k] = new Color32(shown.r, shown.g, shown.b, (byte)math.round(255f * opacity));
+        }
+
+        return pixels;
+    }
+
     // Those of a row whose samples or neighbouring samples hold more than paper.
     private (int First, int Last) PixelsAround(int y)
     {

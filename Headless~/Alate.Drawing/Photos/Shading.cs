@@ -9,36 +9,44 @@ namespace Alate.Drawing;
 /// </summary>
 internal sealed class Shading
 {
-    private const float k_Ambient = 0.42f, k_Key = 0.68f, k_Through = 0.42f, k_Rim = 0.16f, k_RimPower = 3f, k_Sky = 0.16f;
+    /// <summary>Share of the light that passes a wing.</summary>
+    public const float Through = 0.42f;
+
+    private const float k_Ambient = 0.42f, k_Key = 0.68f, k_Rim = 0.16f, k_RimPower = 3f, k_Sky = 0.16f;
     private const float k_Gloss = 0.1f, k_GlossPower = 24f;
 
     /// <summary>The paper of all pictures, sRGB.</summary>
     public static readonly float3 Paper = Colour(0xf7f4ec);
 
     private static readonly float3 s_ThroughTint = new(1.1f, 0.98f, 0.82f);
-    private readonly float3 m_Towards, m_Key, m_Half;
+    private readonly float3 m_Towards, m_Half;
 
     /// <param name="camera">Who looks.</param>
     public Shading(PictureCamera camera)
     {
         m_Towards = camera.Towards;
-        m_Key = camera.Direction(-0.45f, 0.8f, 0.55f);
-        m_Half = math.normalize(m_Key + m_Towards);
+        Key = camera.Direction(-0.45f, 0.8f, 0.55f);
+        m_Half = math.normalize(Key + m_Towards);
     }
+
+    /// <summary>Direction towards the key light, unit length.</summary>
+    public float3 Key { get; }
 
     /// <summary>Light of a surface, linear.</summary>
     /// <param name="colour">Linear light, 0 to 1.</param>
     /// <param name="normal">Unit vector on the body; which side it points to does not matter.</param>
     /// <param name="isThin">A wing, which light passes; else a body.</param>
-    public float3 Light(float3 colour, float3 normal, bool isThin)
+    /// <param name="keyShare">Share of the key light that reaches it, 0 to 1.</param>
+    /// <param name="skyShare">Share of the light from all around that reaches it, 0 to 1.</param>
+    public float3 Light(float3 colour, float3 normal, bool isThin, float keyShare = 1f, float skyShare = 1f)
     {
         float facing = math.dot(normal, m_Towards);
         normal = facing < 0f ? -normal : normal;
-        float key = math.dot(normal, m_Key);
-        float through = isThin ? k_Through * math.max(-key, 0f) : 0f;
+        float key = math.dot(normal, Key);
+        float through = isThin ? keyShare * Through * math.max(-key, 0f) : 0f;
         float rim = k_Rim * math.pow(1f - math.min(math.abs(facing), 1f), k_RimPower);
-        float gloss = isThin ? 0f : k_Gloss * math.pow(math.max(math.dot(normal, m_Half), 0f), k_GlossPower);
-        float light = k_Ambient + k_Sky * normal.y + k_Key * math.max(key, 0f);
+        float gloss = isThin ? 0f : keyShare * k_Gloss * math.pow(math.max(math.dot(normal, m_Half), 0f), k_GlossPower);
+        float light = skyShare * (k_Ambient + k_Sky * normal.y) + keyShare * k_Key * math.max(key, 0f);
         return colour * (light + through * s_ThroughTint) + rim * (0.4f * colour + 0.25f) + gloss;
     }
 

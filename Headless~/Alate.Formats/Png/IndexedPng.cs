@@ -1,13 +1,12 @@
-using System.Buffers.Binary;
 using System.IO.Compression;
 using UnityEngine;
 
 namespace Alate.Formats;
 
-/// <summary>Writes films and small pictures of 255 colours as PNG files, films as animated ones (APNG, the third edition of PNG).</summary>
+/// <summary>Writes films and small pictures of 255 colours as PNG files.</summary>
 internal static class IndexedPng
 {
-    private const byte k_Indexed = 3, k_BlendOver = 1;
+    private const byte k_Indexed = 3;
     private const int k_Colours = 255;
 
     /// <summary>An animation; a single frame is a still picture.</summary>
@@ -27,25 +26,14 @@ internal static class IndexedPng
         // Entry 0 is see-through: where a frame is as the one before.
         PngChunks.Write(file, "PLTE", [0, 0, 0, .. table.Colours.SelectMany(colour => new[] { colour.r, colour.g, colour.b })]);
         PngChunks.Write(file, "tRNS", [0]);
-        if (frames.Count > 1)
-            PngChunks.Write(file, "acTL", Numbers(frames.Count, repeats ? 0 : 1));
+        var film = new PngFrames(file, frames.Count, rate, repeats);
         byte[] before = null;
-        int sequence = 0;
         foreach (Color32[] frame in frames)
         {
             byte[] indices = Indices(frame, width, table);
             byte[] changed = before == null ? indices : Changed(indices, before);
             (int left, int top, int right, int bottom) = before == null ? (0, 0, width, height) : Extent(changed, width, height);
-            if (frames.Count > 1)
-            {
-                PngChunks.Write(file, "fcTL", [.. Numbers(sequence++, right - left, bottom - top, left, top), 0, 1, (byte)(rate >> 8),
-                    (byte)rate, 0, before == null ? (byte)0 : k_BlendOver]);
-            }
-            byte[] packed = Packed(changed, width, left, top, right, bottom);
-            if (before == null)
-                PngChunks.Write(file, "IDAT", packed);
-            else
-                PngChunks.Write(file, "fdAT", [.. Numbers(sequence++), .. packed]);
+            film.Write(left, top, right, bottom, Packed(changed, width, left, top, right, bottom), before != null);
             before = indices;
         }
 
@@ -59,14 +47,6 @@ internal static class IndexedPng
         for (int k = 0; k < frame.Length; k++)
             indices[k] = (byte)(1 + table.IndexOf(frame[k], k % width, k / width));
         return indices;
-    }
-
-    private static byte[] Numbers(params int[] numbers)
-    {
-        byte[] bytes = new byte[4 * numbers.Length];
-        for (int k = 0; k < numbers.Length; k++)
-            BinaryPrimitives.WriteInt32BigEndian(bytes.AsSpan(4 * k), numbers[k]);
-        return bytes;
     }
 
     private static byte[] Changed(byte[] indices, byte[] before)

@@ -41,6 +41,40 @@ namespace Alate.Tests.Cli
             }
         }
 
+        // Its frames are those on paper, once the paper is laid behind them.
+        [Test]
+        public void ATransparentFilm_OnPaper_IsTheFilmOnPaper()
+        {
+            PngFile[] Frames(params string[] options)
+            {
+                using var run = new CommandRun();
+                Assert.That(run.Run(["film", "monarch", "--frames", "4", "--beats", "1", "--width", "161", "--out", run.Out, .. options]),
+                    Is.Zero, run.Errors);
+                Assert.That(PngFile.Read(File.ReadAllBytes(Path.Combine(run.Out, "film.png"))).Pixels.Any(pixel => pixel.a < 255),
+                    Is.EqualTo(options.Length > 0));
+                return [.. Directory.GetFiles(Path.Combine(run.Out, "frames")).Order()
+                    .Select(file => PngFile.Read(File.ReadAllBytes(file)))];
+            }
+
+            PngFile[] paper = Frames(), cut = Frames("--transparent");
+            double[] ground = [0xf7, 0xf4, 0xec];
+            for (int k = 0; k < 4; k++)
+            {
+                Assert.That((cut[k].Width, cut[k].Height), Is.EqualTo((paper[k].Width, paper[k].Height)));
+                double most = 0;
+                for (int pixel = 0; pixel < paper[k].Pixels.Length; pixel++)
+                {
+                    UnityEngine.Color32 over = cut[k].Pixels[pixel], seen = paper[k].Pixels[pixel];
+                    double share = over.a / 255.0;
+                    most = Math.Max(most, Math.Abs(share * over.r + (1 - share) * ground[0] - seen.r));
+                    most = Math.Max(most, Math.Abs(share * over.b + (1 - share) * ground[2] - seen.b));
+                }
+
+                Assert.That(most, Is.LessThan(12), $"frame {k}, of 255");
+                Assert.That(cut[k].Pixels[0].a, Is.Zero);
+            }
+        }
+
         [TestCase(false, Explicit = true, Category = "Long")]
         [TestCase(true)]
         public void TheSound_IsAsLongAsTheFilm_AndBeatsAsTheInsect_OrAsSlowAsTheFilm(bool isSlow)

@@ -22,6 +22,16 @@ public sealed class FilmVideoTests
         Assert.That(Directory.Exists(run.Out), Is.False);
     }
 
+    [TestCase("--transparent goes into a video that ends in .webm, not 'film.mp4': H.264 has no opacity.", "--video", "film.mp4")]
+    [TestCase("--transparent goes with one insect, not with --compare, whose words need a ground.", "--compare")]
+    public void WhatCannotBeSeenThrough_IsNamed(string message, params string[] options)
+    {
+        using var run = new CommandRun();
+        Assert.That(run.Run(["film", "firefly", "--transparent", "--out", run.Out, .. options]), Is.EqualTo(2));
+        Assert.That(run.Errors.Trim(), Does.EndWith(message));
+        Assert.That(Directory.Exists(run.Out), Is.False);
+    }
+
     [Test]
     public void WithoutTheProgram_OneLineSaysWhatToDo_BeforeAnythingIsFlown()
     {
@@ -47,17 +57,8 @@ public sealed class FilmVideoTests
     [Category("Long")]
     public void AVideo_HasTheFramesThatWerePainted_AndTheSound(string name)
     {
-        string[] programs = Environment.GetEnvironmentVariable("PATH").Split(Path.PathSeparator);
-        if (!programs.Any(place => File.Exists(Path.Combine(place, "ffmpeg"))))
-            Assert.Ignore("ffmpeg is not installed.");
-        var film = Film.Fly(new FilmPlan
-        {
-            Flight = FlightPlan.Cruise(InsectCatalogue.Find("firefly"), InsectVariant.Standard),
-            Beats = 1,
-            Frames = 6,
-            Rate = 12,
-            Width = 241,
-        });
+        IgnoreWithoutTheProgram();
+        Film film = Flown(false);
         Color32[][] frames = film.Draw(_ => { });
         using var folder = new TemporaryFolder();
         using var sound = new MemoryStream();
@@ -82,9 +83,56 @@ public sealed class FilmVideoTests
         Assert.That(seconds, Is.EqualTo(0.5).Within(0.1), "six frames, twelve a second");
     }
 
-    private static byte[] Decoded(string file, params string[] form)
+    [Test, Explicit, Category("Long")]
+    public void AVideoThatIsSeenThrough_HasTheOpacitiesOfItsFrames()
     {
-        using var process = Process.Start(new ProcessStartInfo("ffmpeg", ["-v", "error", "-i", file, .. form, "-"])
+        IgnoreWithoutTheProgram();
+        Film film = Flown(true);
+        Color32[][] frames = film.Draw(_ => { });
+        using var folder = new TemporaryFolder();
+        FilmVideo.Write(folder.PathOf("film.webm"), film.Size, 12, frames, null, isTransparent: true);
+
+        // The program's own decoder leaves the opacity out.
+        byte[] shown = Decoded(folder.PathOf("film.webm"), ["-c:v", "libvpx-vp9"], "-f", "rawvideo", "-pix_fmt", "rgba");
+        int width = film.Size.x + film.Size.x % 2, height = film.Size.y + film.Size.y % 2;
+        Assert.That(shown, Has.Length.EqualTo(4 * width * height * frames.Length));
+        double off = 0;
+        for (int k = 0; k < frames.Length; k++)
+        {
+            for (int pixel = 0; pixel < frames[k].Length; pixel++)
+            {
+                int at = 4 * ((k * height + pixel / film.Size.x) * width + pixel % film.Size.x);
+                off += Math.Abs(shown[at + 3] - frames[k][pixel].a);
+            }
+        }
+
+        Assert.That(off / (frames.Length * frames[0].Length), Is.LessThan(3), "of 255, on average");
+        Assert.That(frames[0].Count(pixel => pixel.a == 0), Is.GreaterThan(frames[0].Length / 3));
+        Assert.That(frames[0].Count(pixel => pixel.a == 255), Is.GreaterThan(frames[0].Length / 50));
+    }
+
+    private static void IgnoreWithoutTheProgram()
+    {
+        string[] programs = Environment.GetEnvironmentVariable("PATH").Split(Path.PathSeparator);
+        if (!programs.Any(place => File.Exists(Path.Combine(place, "ffmpeg"))))
+            Assert.Ignore("ffmpeg is not installed.");
+    }
+
+    private static Film Flown(bool isTransparent) => Film.Fly(new FilmPlan
+    {
+        Flight = FlightPlan.Cruise(InsectCatalogue.Find("firefly"), InsectVariant.Standard),
+        Beats = 1,
+        Frames = 6,
+        Rate = 12,
+        Width = 241,
+        IsTransparent = isTransparent,
+    });
+
+    private static byte[] Decoded(string file, params string[] form) => Decoded(file, [], form);
+
+    private static byte[] Decoded(string file, string[] decoder, params string[] form)
+    {
+        using var process = Process.Start(new ProcessStartInfo("ffmpeg", ["-v", "error", .. decoder, "-i", file, .. form, "-"])
         {
             RedirectStandardOutput = true,
         });

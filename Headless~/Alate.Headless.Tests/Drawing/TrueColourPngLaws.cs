@@ -1,4 +1,7 @@
 using System;
+using System.Buffers.Binary;
+using System.Collections.Generic;
+using System.IO;
 using System.Linq;
 using System.Text;
 using Alate.Formats;
@@ -10,7 +13,7 @@ using UnityEngine;
 
 namespace Alate.Tests.Drawing;
 
-/// <summary>Still pictures of 24 bits, read back by the decoder of the stand-ins, which knows nothing of the writer.</summary>
+/// <summary>Pictures of 24 and 32 bits, read back by the decoder of the stand-ins, which knows nothing of the writer.</summary>
 public sealed class TrueColourPngLaws
 {
     // Noise, slopes and plain rows: each kind is packed by other filters.
@@ -39,6 +42,33 @@ public sealed class TrueColourPngLaws
         }).Check(FixedRuns.Of());
     }
 
+    // Frame by frame, taken out of the film as still pictures: each stands in the place of the one before.
+    [Test]
+    public void AFilmThatIsSeenThrough_HasItsFrames_WithTheirOpacities([Values(1, 3)] int count, [Values] bool repeats)
+    {
+        var random = new System.Random(6);
+        Color32[][] frames = [.. Enumerable.Range(0, count).Select(_ => Enumerable.Range(0, 9 * 7).Select(_ => new Color32(
+            (byte)random.Next(256), (byte)random.Next(256), (byte)random.Next(256), (byte)random.Next(256))).ToArray())];
+        byte[] film = TrueColourPng.WriteFilm(9, 7, frames, 25, repeats, ["a moth"], hasOpacity: true);
+        List<(string Name, byte[] Content)> chunks = Chunks(film);
+
+        Assert.That(chunks.FindAll(chunk => chunk.Name is "IDAT" or "fdAT").Select(chunk => Pixels(chunks[0].Content, chunk)),
+            Is.EqualTo(frames));
+        if (count == 1)
+        {
+            Assert.That(chunks.Select(chunk => chunk.Name), Is.EqualTo(new[] { "IHDR", "iTXt", "IDAT", "IEND" }));
+            return;
+        }
+
+        Assert.That(chunks.Find(chunk => chunk.Name == "acTL").Content,
+            Is.EqualTo(new byte[] { 0, 0, 0, (byte)count, 0, 0, 0, (byte)(repeats ? 0 : 1) }));
+        List<byte[]> controls = [.. chunks.FindAll(chunk => chunk.Name == "fcTL").Select(chunk => chunk.Content)];
+        Assert.That(controls.Select(control => control[4..]), Is.All.EqualTo(
+            new byte[] { 0, 0, 0, 9, 0, 0, 0, 7, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 0, 25, 0, 0 }), "the whole picture, for 1/25 s, in place");
+        Assert.That(controls.Select(control => (int)control[3]), Is.EqualTo(Enumerable.Range(0, count).Select(k => Math.Max(2 * k - 1, 0))),
+            "the control of the first frame, then that of each other one and its pixels");
+    }
+
     [Test]
     public void WhatAPictureSays_StandsInTheFile_AndNothingWhereItSaysNothing()
     {
@@ -58,5 +88,28 @@ public sealed class TrueColourPngLaws
             new Color32((byte)(k % k_Side + k / k_Side / 2), (byte)(k % k_Side / 3 + k / k_Side), (byte)(255 - k % k_Side), 255))];
 
         Assert.That(TrueColourPng.Write(k_Side, k_Side, slope, []), Has.Length.LessThan(3 * k_Side * k_Side / 20));
+    }
+
+    private static Color32[] Pixels(byte[] header, (string Name, byte[] Content) chunk)
+    {
+        using var still = new MemoryStream();
+        still.Write(PngChunks.Signature);
+        PngChunks.Write(still, "IHDR", header);
+        PngChunks.Write(still, "IDAT", chunk.Content.AsSpan(chunk.Name == "fdAT" ? 4 : 0));
+        PngChunks.Write(still, "IEND", []);
+        return PngFile.Read(still.ToArray()).Pixels;
+    }
+
+    private static List<(string Name, byte[] Content)> Chunks(byte[] file)
+    {
+        var chunks = new List<(string, byte[])>();
+        for (int at = 8; at < file.Length;)
+        {
+            int length = BinaryPrimitives.ReadInt32BigEndian(file.AsSpan(at));
+            chunks.Add((Encoding.ASCII.GetString(file, at + 4, 4), file[(at + 8)..(at + 8 + length)]));
+            at += 12 + length;
+        }
+
+        return chunks;
     }
 }

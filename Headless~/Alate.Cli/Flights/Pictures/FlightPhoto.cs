@@ -6,14 +6,14 @@ internal static class FlightPhoto
     /// <summary>Scene of an insect that was flown.</summary>
     /// <param name="flight">The flight.</param>
     /// <param name="view">From where it is seen; null is from where its plan says.</param>
-    /// <param name="surfaceOf">Looks of the wings, by their numbers; null for their own.</param>
+    /// <param name="surfaceOf">Looks of the wings, by their numbers, without shadows; null for their own.</param>
     public static PhotoScene Scene(FlightRecord flight, PictureView? view = null, Func<int, RecordedWing, PhotoSurface> surfaceOf = null)
     {
         float3[] places = Array.ConvertAll(flight.Insect.Body.positions, place => (float3)place);
         float3[] normals = Array.ConvertAll(flight.Insect.Body.normals, normal => (float3)normal);
         var body = new PhotoPart(PhotoSurface.Of(flight.Insect.Body), 1f, _ => (places, normals));
         return new PhotoScene(view ?? flight.Plan.View, Reach(flight),
-            [body, .. flight.Wings.Select((wing, k) => Part(wing, (surfaceOf ?? Surface)(k + 1, wing)))]);
+            [body, .. flight.Wings.Select((wing, k) => Part(wing, (surfaceOf ?? Surface)(k + 1, wing)))], surfaceOf == null);
     }
 
     /// <summary>Farthest that a wing comes from the middle of the thorax, metres.</summary>
