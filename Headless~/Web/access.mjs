@@ -32,7 +32,7 @@ async function violations(shown, where) {
 }
 
 const bad = (shown) => browse.drop(shown, ['bad.obj', Buffer.from('v 0 0 0\nf 1 2 9\n')]);
-const wait = (shown, test, what) => shown.waitForFunction(test, what, { timeout: 240000 });
+const wait = (shown, test, what) => browse.wait(shown, test, what, 240000);
 const distance = () => page.evaluate(() => alate.stage.camera.position.length());
 const angles = () => page.evaluate(() => {
   const { x, y, z } = alate.stage.camera.position;

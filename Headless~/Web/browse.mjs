@@ -20,6 +20,15 @@ export async function open(browser, address, problems, options) {
   return page;
 }
 
+// Waits until something holds on a page; what did not is named.
+export async function wait(page, test, what, timeout) {
+  try {
+    await page.waitForFunction(test, what, { timeout });
+  } catch (problem) {
+    throw new Error(`${problem.message.split('\n')[0]} Not so: ${test}`);
+  }
+}
+
 // What the browser itself says while the server is away.
 function isRefused(text) {
   return text.includes('WebSocket connection') || text.includes('ERR_CONNECTION');

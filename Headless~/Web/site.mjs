@@ -17,7 +17,7 @@ await page.route('http://site.test/**', (route) => {
   return existsSync(path) ? route.fulfill({ contentType: types[extname(name)] ?? 'application/octet-stream', body: readFileSync(path) }) : route.fulfill({ status: 404 });
 });
 
-const wait = (test, what) => page.waitForFunction(test, what, { timeout: 240000 });
+const wait = (test, what) => browse.wait(page, test, what, 240000);
 
 const cases = {
   async asAFile() {

@@ -41,7 +41,7 @@ namespace Alate.Tests.Views
         [Test]
         public void Page_DoesWhatItSays() => Try(
             "view.mjs", "first", "beats", "rate", "slow", "speed", "wind", "amplitude", "frequency", "elasticity", "delay", "substeps",
-            "pause", "comparison", "overlays", "wake", "species", "files", "photographs", "insects", "landing", "badFiles",
+            "pause", "comparison", "order", "overlays", "wake", "species", "files", "photographs", "insects", "landing", "badFiles",
             "phone", "reconnect");
 
         [Test]

@@ -149,7 +149,8 @@ if (stage) {
       chart.clear();
       full = Math.max(scene.columns.findIndex((column) => column.title === 'Full model'), 0);
       labels(scene);
-      await stage.setScene(scene);
+      if (!await stage.setScene(scene))
+        return;
       alate.scene = scene;
       place(stage);
       if (latest)

@@ -73,12 +73,13 @@ export class Stage {
     this.isOld = true;
   }
 
+  // Says whether it shows it: not where another one has come while its pictures were read.
   async setScene(scene) {
     const { three: THREE } = this;
     const ticket = this.ticket = {};
     const textures = await Promise.all(scene.textures.map((text) => text && this.texture(text)));
     if (ticket !== this.ticket)
-      return;
+      return false;
     this.clear();
     this.textures = textures.filter(Boolean);
     for (const column of scene.columns) {
@@ -100,6 +101,7 @@ export class Stage {
       this.columns.push({ group, perch, wings, skeleton, loads, forces, sheets: [], title: column.title });
     }
     this.reach = scene.reach;
+    return true;
   }
 
   async texture(text) {
