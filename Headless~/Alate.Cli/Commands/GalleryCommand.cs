@@ -28,9 +28,8 @@ internal static class GalleryCommand
                 ? KnownSpecies.FindAny(names, InsectVariant.Expressive)
                 : null;
             using var target = OutputFolder.Prepare(parsed.GetValue(folder) ?? Path.Combine("out", "gallery"), k_File);
-            byte[] picture = Gallery.Draw(
-                parsed.GetValue(width) ?? k_Width, parsed.GetValue(wake), insects, !parsed.GetValue(transparent));
-            target.Write(k_File, stream => stream.Write(picture));
+            target.Write(k_File, stream => stream.Write(
+                Gallery.Draw(parsed.GetValue(width) ?? k_Width, parsed.GetValue(wake), insects, !parsed.GetValue(transparent))));
             target.Commit();
             output.WriteLine($"Written: {Path.Combine(target.Root, k_File)}");
             return 0;

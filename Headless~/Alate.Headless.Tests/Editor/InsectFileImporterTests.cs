@@ -67,21 +67,21 @@ public sealed class InsectFileImporterTests
     [Test]
     public void FilesThatItNames_ImportItAgain_WhetherTheyAreThereOrNot()
     {
-        const string k_Wing = "\"wings\": { \"fore wing\": { \"mesh\": \"../Wings/wing.obj\", \"skeleton\": \"wing.json\" } }";
+        const string k_Wing = "\"wings\": { \"fore wing\": { \"mesh\": \"../Wings/wing.obj\", \"skeleton\": \"late.json\" } }";
         ImportedAsset.Write("Assets/Wings/wing.obj", Encoding.UTF8.GetBytes(OwnWing.Obj()));
         using (ImportedAsset asset = Import(Moth("firefly", k_Wing)))
         {
             Assert.That(asset.Main == null, Is.True);
-            Assert.That(asset.Errors.Single(), Does.Contain("wing.json").And.EndsWith("there is no such file."));
-            Assert.That(asset.Dependencies, Is.EqualTo(new[] { "Assets/Wings/wing.obj", "Assets/Moths/wing.json" }));
+            Assert.That(asset.Errors.Single(), Does.Contain("late.json").And.EndsWith("there is no such file."));
+            Assert.That(asset.Dependencies, Is.EqualTo(new[] { "Assets/Wings/wing.obj", "Assets/Moths/late.json" }));
         }
 
-        ImportedAsset.Write("Assets/Moths/wing.json", Encoding.UTF8.GetBytes(OwnWing.Skeleton()));
+        ImportedAsset.Write("Assets/Moths/late.json", Encoding.UTF8.GetBytes(OwnWing.Skeleton()));
         using (ImportedAsset asset = Import(Moth("firefly", k_Wing)))
         {
             Assert.That(asset.Errors, Is.Empty);
             Assert.That(((Mesh)asset.Objects["fore wing mesh"]).triangles, Has.Length.EqualTo(TestWings.Ellipse().triangles.Length));
-            Assert.That(asset.Dependencies, Is.EqualTo(new[] { "Assets/Wings/wing.obj", "Assets/Moths/wing.json" }));
+            Assert.That(asset.Dependencies, Is.EqualTo(new[] { "Assets/Wings/wing.obj", "Assets/Moths/late.json" }));
         }
     }
 

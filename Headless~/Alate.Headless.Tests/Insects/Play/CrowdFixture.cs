@@ -1,4 +1,6 @@
+using Alate.Catalogue;
 using NUnit.Framework;
+using Unity.StandIns;
 
 namespace Alate.Tests.Play.Headless
 {
@@ -10,12 +12,17 @@ namespace Alate.Tests.Play.Headless
         /// <inheritdoc/>
         protected override bool KeepsParts => true;
 
+        // Of every test, as parts that one of them makes stay for the others: crowds need wings with their material.
+        [SetUp]
+        public void AddTheShaderOfWings() => ProjectShaders.Add(WingMaterial.ShaderName, "Alate/Wing");
+
         [TearDown]
         public void ClearScene()
         {
             KeepParts();
             Scene?.Clear();
             Scene = null;
+            ProjectShaders.Clear();
         }
     }
 }
