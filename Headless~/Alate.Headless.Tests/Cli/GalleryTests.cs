@@ -47,6 +47,25 @@ namespace Alate.Tests.Cli
             Assert.That(picture.Pixels[0], Is.EqualTo(paper));
         }
 
+        [Test]
+        public void ATransparentPicture_OnPaper_IsThePictureOnPaper()
+        {
+            Color32[] Drawn(params string[] options)
+            {
+                using var run = new CommandRun();
+                Assert.That(run.Run(["gallery", "monarch", "--width", "160", "--out", run.Out, .. options]), Is.Zero, run.Errors);
+                return PngFile.Read(File.ReadAllBytes(Path.Combine(run.Out, "insects.png"))).Pixels;
+            }
+
+            Color32[] paper = Drawn(), cut = Drawn("--transparent");
+            float3 ground = 255f * Shading.Paper;
+            float off = cut.Zip(paper, (over, seen) => math.cmax(math.abs(
+                math.lerp(ground, new float3(over.r, over.g, over.b), over.a / 255f) - new float3(seen.r, seen.g, seen.b)))).Max();
+            Assert.That(off, Is.LessThan(12f), "of 255");
+            Assert.That((cut[0].a, paper.Min(pixel => pixel.a)), Is.EqualTo((0, 255)));
+            Assert.That(cut.Count(pixel => pixel.a == 255), Is.GreaterThan(cut.Length / 20));
+        }
+
         // The same ground as that of every other page and photo.
         [Test]
         public void ThePaper_IsThatOfThePages()
