@@ -18,15 +18,22 @@ internal sealed class PhotoScene
     private readonly float m_Reach;
     private readonly PictureCamera m_Camera;
     private readonly Shading m_Shading;
-    private readonly bool m_HasShadows;
+
+    /// <summary>Reach of what casts shadows, without moving air, metres; 0 where there are none.</summary>
+    private readonly float m_ShadowReach;
 
     /// <param name="view">From where it is seen.</param>
     /// <param name="reach">Farthest that any of it comes from the middle of the thorax, metres.</param>
     /// <param name="parts">The body first, then the wings.</param>
     /// <param name="hasShadows">False where colours are numbers that a shadow would falsify.</param>
     public PhotoScene(PictureView view, float reach, IReadOnlyList<PhotoPart> parts, bool hasShadows = true)
+        : this(view, reach, parts, hasShadows ? reach : 0f)
     {
-        m_HasShadows = hasShadows;
+    }
+
+    private PhotoScene(PictureView view, float reach, IReadOnlyList<PhotoPart> parts, float shadowReach)
+    {
+        m_ShadowReach = shadowReach;
         m_Parts = parts;
         m_View = view;
         m_Reach = reach;
@@ -38,13 +45,13 @@ internal sealed class PhotoScene
     public static float3 TrailLight { get; } = new(0.3f, 0.27f, 0.22f);
 
     /// <summary>Returns this insect from another side.</summary>
-    public PhotoScene From(PictureView view) => new(view, m_Reach, m_Parts, m_HasShadows);
+    public PhotoScene From(PictureView view) => new(view, m_Reach, m_Parts, m_ShadowReach);
 
     /// <summary>Returns this insect with more parts.</summary>
     /// <param name="parts">What is added.</param>
     /// <param name="reach">Farthest that any of it comes from the middle of the thorax, metres.</param>
     public PhotoScene With(IEnumerable<PhotoPart> parts, float reach) =>
-        new(m_View, math.max(reach, m_Reach), [.. m_Parts, .. parts], m_HasShadows);
+        new(m_View, math.max(reach, m_Reach), [.. m_Parts, .. parts], m_ShadowReach);
 
     /// <summary>The insect at a phase, 0 to 1 beats.</summary>
     public Pose PoseAt(double turns) => PoseAt(turns, quaternion.identity, float3.zero);
@@ -102,7 +109,7 @@ internal sealed class PhotoScene
     {
         int2 size = SizeOf(panel, fineness);
         var grid = new SampleGrid(size.x, size.y);
-        Shadows shadows = m_HasShadows ? ShadowsOf(pose, k_FinestShadow / (fineness * panel.Scale)) : null;
+        Shadows shadows = m_ShadowReach > 0f ? ShadowsOf(pose, k_FinestShadow / (fineness * panel.Scale)) : null;
         for (int k = 0; k < m_Parts.Count; k++)
         {
             float3[] seen = Array.ConvertAll(pose.Places[k], place =>
@@ -125,7 +132,7 @@ internal sealed class PhotoScene
     // None where no surface lies before another.
     private Shadows ShadowsOf(Pose pose, float finest) => m_Parts.Count(part => part.Surface.CastsShadow) < 2
         ? null
-        : new Shadows([.. m_Parts.Select((part, k) => part.Surface.Caster(pose.Points[k]))], m_Shading.Key, m_Reach, finest);
+        : new Shadows([.. m_Parts.Select((part, k) => part.Surface.Caster(pose.Points[k]))], m_Shading.Key, m_ShadowReach, finest);
 
     // The key light at each sample, that of the sky at the corners of a triangle.
     private static Func<int3, float3, float2> Received(Shadows shadows, int part, float3[] points)

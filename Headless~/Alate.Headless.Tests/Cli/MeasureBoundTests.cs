@@ -3,9 +3,11 @@ using System.Linq;
 using System.Text.Json;
 using Alate.Catalogue;
 using Alate.Cli;
+using Alate.Drawing;
 using NUnit.Framework;
 using Unity.Mathematics;
 using Unity.StandIns;
+using UnityEngine;
 
 namespace Alate.Tests.Cli
 {
@@ -46,6 +48,20 @@ namespace Alate.Tests.Cli
             foreach (string key in outside)
                 Assert.That(terminal.ToString(), Does.Contain($"† {MeasureBound.Find(key).Title} is outside the usual"));
             Assert.That(terminal.ToString(), Does.Contain("usual").And.Contain("10–50"));
+        }
+
+        // The same looks once as a wing's own and once as numbers: these have no shadows.
+        [Test]
+        public void WingsThatShowNumbers_HaveNoShadows()
+        {
+            Color32[] Painted(PhotoScene scene) => [.. new[] { 0.0, 0.25, 0.5, 0.75 }.Select(turns => scene.PoseAt(turns))
+                .SelectMany(pose => scene.Draw(pose, StripPanel.Around(pose, 240f, 4f), 1f))];
+
+            Color32[] own = Painted(FlightPhoto.Scene(MonarchFlight.Level)),
+                numbers = Painted(FlightPhoto.Scene(MonarchFlight.Level, surfaceOf: FlightPhoto.Surface));
+            int[] lighter = [.. numbers.Zip(own, (plain, shaded) => plain.r + plain.g + plain.b - shaded.r - shaded.g - shaded.b)];
+            Assert.That(lighter.Min(), Is.GreaterThanOrEqualTo(0), "a shadow lights nothing");
+            Assert.That(lighter.Count(difference => difference > 8), Is.GreaterThan(20), "pixels in a shadow");
         }
 
         [Test]

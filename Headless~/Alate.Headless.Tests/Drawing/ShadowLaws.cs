@@ -184,6 +184,11 @@ public sealed class ShadowLaws
         Assert.That(shaded.Zip(plain, (one, other) => one.g - other.g).Max(), Is.LessThanOrEqualTo(0), "nothing is lighter");
         Assert.That(Lowest(Painted(Scene(true, -0.5f))), Is.EqualTo(Lowest(plain)).Within(1), "a plate alone");
 
+        // Air far behind it, of a wake, moves the camera away; it does not make the shadows dim.
+        Color32[] Far(bool hasShadows) => Painted(Scene(hasShadows, -0.5f, 0.6f).With([], 20f));
+        Assert.That(Far(true).Zip(Far(false), (one, other) => other.g - one.g).Count(difference => difference > 20),
+            Is.EqualTo(darker).Within(40).Percent);
+
         static PhotoPart Part(float height, int index)
         {
             // Upright plates, one before the other as the light from the upper left before the viewer's side sees them.
