@@ -40,6 +40,7 @@ public sealed class BakeWindowTests
         OpenWindows.All.Clear();
         AnsweredDialogs.Clear();
         DrawnLines.Calls = null;
+        ShownProgress.Begin();
         Selection.activeObject = null;
         AssetDatabase.DeleteAsset("Assets/Fire Crowd.prefab");
         AssetDatabase.DeleteAsset("Assets/Fire.asset");
