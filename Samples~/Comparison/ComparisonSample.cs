@@ -12,7 +12,7 @@ namespace Alate.Samples
     [DisallowMultipleComponent]
     public sealed class ComparisonSample : MonoBehaviour
     {
-        private const float k_CameraDistance = 7f;
+        private const float k_CameraDistance = 5f;
 
         private readonly ScreenPanel m_Panel = new ScreenPanel(320f);
         private Stage m_Stage;

@@ -12,6 +12,7 @@ namespace Alate.Samples
         private readonly InsectWings m_Wings;
         private readonly InsectFlight m_Flight;
         private readonly Light m_Lantern;
+        private PerchPilot m_Perch;
         private readonly float m_Delay;
 
         private GardenInsect(InsectDefinition species, Transform parent, Vector3 place, int number)
@@ -39,6 +40,19 @@ namespace Alate.Samples
             set => m_Wings.Air.wind = value;
         }
 
+        /// <summary>Distance of the camera at which the insect takes off, world units; 0 for none.</summary>
+        public float Shy
+        {
+            set
+            {
+                if (m_Perch != null)
+                    m_Perch.Settings.fleeDistance = value;
+            }
+        }
+
+        /// <summary>Middle of its thorax, world units.</summary>
+        public Vector3 Position => m_Flight.Position;
+
         /// <summary>True where the insect sits.</summary>
         public bool Sits => m_Flight.State == FlightState.Perched;
 
@@ -46,10 +60,9 @@ namespace Alate.Samples
         public static GardenInsect Butterfly(InsectDefinition species, Transform parent, FlightVolume volume, Transform eye, int number)
         {
             var made = new GardenInsect(species, parent, Within(volume, number), number);
-            PerchPilot perch = made.m_Wings.gameObject.AddComponent<PerchPilot>();
+            PerchPilot perch = made.m_Perch = made.m_Wings.gameObject.AddComponent<PerchPilot>();
             perch.Seed = number;
             perch.Settings.flightTime = 8f;
-            perch.Settings.fleeDistance = 6f;
             perch.Watched.Add(eye);
             made.Wander(volume, number);
             return made;

@@ -13,8 +13,8 @@ namespace Alate.Samples
     [DisallowMultipleComponent]
     public sealed class InsectsSample : MonoBehaviour
     {
-        private const int k_Columns = 3;
-        private const float k_Spacing = 2.2f, k_CameraDistance = 6.5f;
+        private const int k_Columns = 4;
+        private const float k_Spacing = 2.2f, k_CameraDistance = 4.4f;
 
         private static readonly string[] s_Variants = { "Standard", "Biological", "Expressive" };
 
@@ -27,10 +27,12 @@ namespace Alate.Samples
 
         private void Awake()
         {
-            int rows = (InsectCatalogue.All.Count + k_Columns - 1) / k_Columns;
-            for (int k = 0; k < InsectCatalogue.All.Count; k++)
+            int count = InsectCatalogue.All.Count, rows = (count + k_Columns - 1) / k_Columns;
+            for (int k = 0; k < count; k++)
             {
-                float right = k % k_Columns - 0.5f * (k_Columns - 1), down = k / k_Columns - 0.5f * (rows - 1);
+                // Each row is in the middle, the last one too.
+                int row = k / k_Columns, inRow = Mathf.Min(k_Columns, count - row * k_Columns);
+                float right = k % k_Columns - 0.5f * (inRow - 1), down = row - 0.5f * (rows - 1);
                 m_Insects.Add(new ShownInsect(InsectCatalogue.All[k], transform, k_Spacing * new Vector3(-right, 0f, down)));
             }
 

@@ -6,7 +6,7 @@ namespace Alate.Samples
     /// <summary>One species in its place: made again for each variant, in flight at two thirds of its full drive.</summary>
     internal sealed class ShownInsect
     {
-        private const float k_WingLength = 0.8f, k_ShareOfFullSpeed = 0.65f;
+        private const float k_Size = 1.6f, k_ShareOfFullSpeed = 0.65f;
 
         private readonly InsectDefinition m_Species;
         private readonly Transform m_Place;
@@ -37,7 +37,7 @@ namespace Alate.Samples
             InsectVariant shown = Has(variant) ? variant : InsectVariant.Standard;
             m_Insect = InsectFactory.Create(m_Species, shown);
             m_Insect.transform.SetParent(m_Place, false);
-            float scale = k_WingLength / (m_Insect.Preset.WingLength * InsectDefinition.UnitsPerMetre);
+            float scale = k_Size / Size();
             m_Insect.transform.localScale = scale * Vector3.one;
 
             // It stands still and is told how fast it flies, in the units of the large insect that is drawn.
@@ -50,6 +50,15 @@ namespace Alate.Samples
 
         /// <summary>Lets its time go by, seconds.</summary>
         public void Step(float dt) => m_Insect.Step(dt);
+
+        // World units from tip to tip, or from head to tail of what is longer than that.
+        private float Size()
+        {
+            float size = 2f * m_Insect.Preset.WingLength * InsectDefinition.UnitsPerMetre;
+            foreach (MeshFilter part in m_Insect.GetComponentsInChildren<MeshFilter>())
+                size = Mathf.Max(size, part.sharedMesh.bounds.size.z);
+            return size;
+        }
 
         private bool Has(InsectVariant variant)
         {

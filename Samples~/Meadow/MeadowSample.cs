@@ -1,3 +1,4 @@
+using Alate.Catalogue;
 using Alate.Showcase;
 using UnityEngine;
 
@@ -21,11 +22,19 @@ namespace Alate.Samples
 
         private readonly ScreenPanel m_Panel = new ScreenPanel(280f);
         private MeadowCrowd[] m_Crowds = System.Array.Empty<MeadowCrowd>();
+        private Mesh m_Ground;
+        private Material m_Grass;
         private float m_Time, m_FrameTime;
 
         private void Start()
         {
-            OrbitCamera.Create(transform, transform.position + 2f * Vector3.up, k_CameraDistance);
+            OrbitCamera.Create(transform, transform.position + 2f * Vector3.up, k_CameraDistance).Pitch = 15f;
+            m_Ground = MeadowGround.Create(2f * k_Radius);
+            m_Grass = WingMaterial.ForVertexColours(isWing: true, isTranslucent: false);
+            var ground = new GameObject("Ground");
+            ground.transform.SetParent(transform, false);
+            ground.AddComponent<MeshFilter>().sharedMesh = m_Ground;
+            ground.AddComponent<MeshRenderer>().sharedMaterial = m_Grass;
             m_Crowds = new[]
             {
                 new MeadowCrowd("monarch", m_Monarchs, k_Live, k_Radius, transform),
@@ -62,6 +71,8 @@ namespace Alate.Samples
             Time.timeScale = 1f;
             foreach (MeadowCrowd crowd in m_Crowds)
                 crowd.Destroy();
+            Destroy(m_Ground);
+            Destroy(m_Grass);
         }
     }
 }

@@ -48,9 +48,9 @@ internal static class FiguresCommand
 
     private static List<string> Pictures =>
         [k_Sweep, k_SweepCharts, k_Gallery, k_Film, k_OwnFilm, k_Stretch, k_Veins, k_Wake, k_Way,
-            .. InsectCatalogue.Names.SelectMany(name => new[] { Portrait(name), Compared(name) })];
+            .. SceneFigures.Files, .. InsectCatalogue.Names.SelectMany(name => new[] { Portrait(name), Compared(name) })];
 
-    /// <summary>The film of the front page.</summary>
+    /// <summary>The film of the front page in which wings flex.</summary>
     internal static FilmPlan HeroFilm => new()
     {
         Flight = FlightPlan.Cruise(InsectCatalogue.Find(k_Hero), InsectVariant.Expressive),
@@ -155,6 +155,8 @@ internal static class FiguresCommand
         var film = Film.Fly(HeroFilm);
         folder.Write(k_Film, stream => stream.Write(film.Animation(film.Draw(_ => { }))));
         folder.Write(k_OwnFilm, stream => stream.Write(UseOwn(path, FilmOwn)));
+        stage("playing scenes");
+        SceneFigures.Make((name, content) => folder.Write(name, stream => stream.Write(content)));
     }
 
     /// <summary>Makes the film of the front page's own insect.</summary>

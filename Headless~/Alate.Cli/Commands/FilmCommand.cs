@@ -3,14 +3,20 @@ using UnityEngine;
 
 namespace Alate.Cli;
 
-/// <summary><c>film SPECIES</c>: slow beats as an animated picture, and its frames.</summary>
+/// <summary><c>film SPECIES</c>: slow beats as an animated picture, and its frames; or a sample scene.</summary>
 internal static class FilmCommand
 {
-    private const string k_Film = "film.png";
+    /// <summary>Memory that the frames of a film may take, bytes.</summary>
+    private const long k_Memory = 2L << 30;
 
     public static Command Create(TextWriter output)
     {
-        var species = new Argument<string>("SPECIES") { Description = $"The insect: {KnownSpecies.Names}." };
+        var species = new Argument<string>("SPECIES")
+        {
+            Arity = ArgumentArity.ZeroOrOne,
+            Description = $"The insect: {KnownSpecies.Names}. None with --scene.",
+        };
+        var scenes = new SceneOptions();
         Option<InsectVariant?> variant = FlightOptions.Variant();
         Option<double?> speed = FlightOptions.Speed();
         var free = new Option<bool>("--free")
@@ -31,9 +37,10 @@ internal static class FilmCommand
             $"Frames of a beat, {FilmPlan.LeastFrames} to {FilmPlan.MostFrames}. [default: "
             + $"{FilmPlan.DefaultFrames}, with --free {FilmPlan.FreeFrames}]");
         Option<int?> rate = Numbers.OptionalCount(
-            "--rate", "N", 1, FilmPlan.MostRate, $"Frames a second, 1 to {FilmPlan.MostRate}. [default: {FilmPlan.DefaultRate}]");
+            "--rate", "N", 1, FilmPlan.MostRate, $"Frames a second, 1 to {FilmPlan.MostRate}. "
+            + $"[default: {FilmPlan.DefaultRate}, with --scene {SceneFilmPlan.DefaultRate}]");
         Option<double> turn = Numbers.Option(
-            "--turn", "DEG", 0, -360, 360, "Degrees by which the camera goes around the insect, -360 to 360.");
+            "--turn", "DEG", 0, -360, 360, "Degrees by which the camera goes around the insect or scene, -360 to 360.");
         Option<int?> width = Numbers.OptionalCount(
             "--width", "N", FilmPlan.LeastWidth, FilmPlan.MostWidth,
             $"Pixels from side to side, {FilmPlan.LeastWidth} to {FilmPlan.MostWidth}. [default: {FilmPlan.DefaultWidth}]");
@@ -52,15 +59,39 @@ internal static class FilmCommand
             HelpName = "FILE",
             Description = "Writes the film as a video too, .mp4 or .webm, with the sound where there is one. Needs ffmpeg.",
         };
-        var folder = new Option<string>("--out") { HelpName = "DIR", Description = "Where the files go. [default: out/SPECIES-film]" };
-        var command = new Command("film", "Films an insect in slow motion: an animated picture, and its frames.")
+        var folder = new Option<string>("--out")
+        {
+            HelpName = "DIR",
+            Description = "Where the files go. [default: out/SPECIES-film, out/NAME-film]",
+        };
+        var command = new Command(
+            "film", "Films an insect in slow motion, or a sample scene in real time: an animated picture, and its frames.")
         {
             species, variant, speed, free, compare, wake, beats, frames, rate, turn, width, view, transparent, sound, slowSound,
             video, folder,
         };
+        foreach (Option option in scenes.All)
+            command.Options.Add(option);
         HelpExamples.Set(command, k_Examples);
+        Option[] ofInsects = [variant, speed, free, compare, wake, beats, frames, view, transparent, sound, slowSound];
         command.SetAction(parsed =>
         {
+            if (scenes.Plan(parsed) is { } shownScene)
+            {
+                Refuse(parsed, species, ofInsects);
+                shownScene = shownScene with
+                {
+                    Rate = parsed.GetValue(rate) ?? SceneFilmPlan.DefaultRate,
+                    Turn = parsed.GetValue(turn),
+                    Width = parsed.GetValue(width) ?? FilmPlan.DefaultWidth,
+                    VideoFile = parsed.GetValue(video),
+                };
+                Run(shownScene, parsed.GetValue(folder) ?? Path.Combine("out", shownScene.Scene.Name + "-film"), output);
+                return 0;
+            }
+
+            if (parsed.GetValue(species) == null)
+                throw new UserException($"film takes an insect ({KnownSpecies.Names}) or --scene NAME.");
             bool isFree = parsed.GetValue(free);
             if (isFree && (parsed.GetValue(compare) || parsed.GetValue(variant) != null || parsed.GetValue(speed) != null))
                 throw new UserException("--free flies with the variant flight; it takes neither --compare, --variant nor --speed.");
@@ -100,9 +131,45 @@ internal static class FilmCommand
         return command;
     }
 
+    private static void Refuse(ParseResult parsed, Argument species, IEnumerable<Option> ofInsects)
+    {
+        if (parsed.GetResult(species) is { Tokens.Count: > 0 } named)
+            throw new UserException($"--scene shows its own insects; it takes no {Quote.Of(named.Tokens[0].Value)}.");
+        if (ofInsects.FirstOrDefault(option => parsed.GetResult(option) is { Implicit: false }) is { } given)
+            throw new UserException($"{given.Name} is of one insect; it does not go with --scene.");
+    }
+
+    private static void Run(SceneFilmPlan plan, string path, TextWriter output)
+    {
+        long bytes = 4L * plan.Size.x * plan.Size.y * plan.Count;
+        if (bytes > k_Memory)
+        {
+            throw new UserException(FormattableString.Invariant(
+                $"{plan.Count} frames of {plan.Size.x} x {plan.Size.y} pixels take {bytes / 1e9:0.0} GB, more than {k_Memory / 1e9:0.0}: ")
+                + "take fewer --seconds, or a smaller --rate or --width.");
+        }
+
+        using var folder = OutputFolder.Prepare(path, FilmFiles.Film);
+        if (plan.VideoFile != null)
+            FilmVideo.Check(plan.VideoFile, false);
+        var terminal = new Terminal(output);
+        terminal.ShowProgress(plan.Count, (done, stage) =>
+        {
+            stage("playing");
+            Color32[][] frames = SceneFilm.Play(plan, done);
+            stage("writing");
+            string title = $"The sample scene {plan.Scene.Folder}, in real time";
+            FilmFiles.Write(folder, IndexedPng.Write(plan.Size.x, plan.Size.y, frames, plan.Rate, true, [title]), frames, plan.Size, false);
+            if (plan.VideoFile != null)
+                FilmVideo.Write(plan.VideoFile, plan.Size, plan.Rate, frames, null);
+        });
+        folder.Commit();
+        FilmFiles.Show(terminal, path, plan.Count, plan.VideoFile);
+    }
+
     private static void Run(FilmPlan plan, string path, TextWriter output)
     {
-        using var folder = OutputFolder.Prepare(path, k_Film);
+        using var folder = OutputFolder.Prepare(path, FilmFiles.Film);
         if (plan.SoundFile != null)
             OutputFile.Check(plan.SoundFile);
         if (plan.VideoFile != null)
@@ -115,11 +182,7 @@ internal static class FilmCommand
             stage("painting");
             Color32[][] frames = film.Draw(done);
             stage("writing");
-            folder.Write(k_Film, stream => stream.Write(film.Animation(frames)));
-            byte[][] files = Concurrently.Map(frames, 8L * film.Size.x * film.Size.y,
-                frame => TrueColourPng.Write(film.Size.x, film.Size.y, frame, [], plan.IsTransparent));
-            for (int k = 0; k < count; k++)
-                folder.Write(Path.Combine("frames", $"{k + 1:0000}.png"), stream => stream.Write(files[k]));
+            FilmFiles.Write(folder, film.Animation(frames), frames, film.Size, plan.IsTransparent);
             byte[] sound = plan.SoundFile == null ? null : Heard(film);
             if (sound != null)
                 OutputFile.Write(plan.SoundFile, stream => stream.Write(sound));
@@ -127,9 +190,7 @@ internal static class FilmCommand
                 FilmVideo.Write(plan.VideoFile, film.Size, plan.Rate, frames, sound, plan.IsTransparent);
         });
         folder.Commit();
-        string numbered = Path.Combine("frames", $"0001.png … {count:0000}.png");
-        string[] others = [.. new[] { plan.SoundFile, plan.VideoFile }.Where(file => file != null).Select(Path.GetFullPath)];
-        terminal.ShowFiles(path, [k_Film, numbered, .. others]);
+        FilmFiles.Show(terminal, path, count, plan.SoundFile, plan.VideoFile);
     }
 
     private static byte[] Heard(Film film)
@@ -147,7 +208,9 @@ internal static class FilmCommand
         + "  film monarch --variant flight --wake --beats 1\n"
         + "  film dragonfly --sound dragonfly.wav\n"
         + "  film monarch --beats 6 --video monarch.mp4\n"
-        + "  film monarch --transparent --video monarch.webm\n\n"
+        + "  film monarch --transparent --video monarch.webm\n"
+        + "  film --scene garden --after 8 --seconds 12\n"
+        + "  film --scene swarm --set Insects=100 --video swarm.mp4\n\n"
         + "Writes into the output folder:\n"
         + "  film.png         the film, an animated PNG that browsers and README pages play in a loop, with --free once\n"
         + "  frames/0001.png  its frames\n\n"

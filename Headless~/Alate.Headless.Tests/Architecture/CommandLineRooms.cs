@@ -13,7 +13,7 @@ namespace Alate.Tests.Architecture
             ["Alate.Cli"] =
             [
                 "Alate", "Alate.Authoring", "Alate.Catalogue", "Alate.Crowds", "Alate.Drawing", "Alate.Files", "Alate.Fitting",
-                "Alate.Flight", "Alate.Formats", "Alate.Geometry", "Alate.Model", "Alate.Sound", "Alate.Wake",
+                "Alate.Flight", "Alate.Formats", "Alate.Geometry", "Alate.Model", "Alate.Showcase", "Alate.Sound", "Alate.Wake",
             ],
         };
 
@@ -34,6 +34,7 @@ namespace Alate.Tests.Architecture
                     ["Charts"] = [],
                     ["Lettering"] = [],
                     ["Photos"] = [],
+                    ["Scenes"] = ["Photos"],
                     ["Pages"] = ["Lettering", "Photos"],
                 },
                 ["Alate.Cli"] = new Dictionary<string, string[]>
@@ -42,11 +43,12 @@ namespace Alate.Tests.Architecture
                     ["Projects"] = ["Base"],
                     ["Flights"] = ["Base"],
                     ["Bakes"] = ["Base", "Flights"],
-                    ["Films"] = ["Base", "Flights", "Wake"],
+                    ["Scenes"] = ["Base"],
+                    ["Films"] = ["Base", "Flights", "Scenes", "Wake"],
                     ["Wake"] = ["Base", "Flights"],
                     ["Studies"] = ["Base", "Flights", "Wake"],
                     ["Live"] = ["Base", "Flights", "Wake"],
-                    ["Commands"] = ["Bakes", "Base", "Films", "Flights", "Live", "Projects", "Studies", "Wake"],
+                    ["Commands"] = ["Bakes", "Base", "Films", "Flights", "Live", "Projects", "Scenes", "Studies", "Wake"],
                     ["Alate.Cli"] = ["Base", "Commands"],
                 },
                 ["Alate.Cli/Base"] = new Dictionary<string, string[]>

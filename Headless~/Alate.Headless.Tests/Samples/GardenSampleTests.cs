@@ -1,7 +1,9 @@
 using System.Collections;
+using System.Collections.Generic;
 using System.Linq;
 using Alate.Flight;
 using Alate.Samples;
+using Alate.Showcase;
 using NUnit.Framework;
 using StandIns;
 using UnityEngine;
@@ -45,6 +47,40 @@ public sealed class GardenSampleTests : SampleFixture<GardenSample>
         Assert.That(Vector3.Distance(sitting.Position, camera.transform.position), Is.GreaterThan(6f));
     }
 
+    // But for the flower that it comes to or has just left.
+    [UnityTest]
+    [Explicit]
+    [Category("Long")]
+    public IEnumerator ForAMinute_NobodyPassesThroughAFlower_OrComesToTheGround()
+    {
+        yield return Begin();
+        DrawnScreen.Slide("Butterflies", 12f);
+        yield return Frames(60);
+        PerchMark[] marks = Sample.GetComponentsInChildren<PerchMark>();
+        var last = new Dictionary<InsectFlight, PerchMark>();
+        int sat = 0;
+        for (int frame = 0; frame < 3600; frame++)
+        {
+            yield return null;
+            foreach (InsectFlight flight in Sample.GetComponentsInChildren<InsectFlight>().Where(flight => flight.name != "Snailfish"))
+            {
+                if (marks.FirstOrDefault(mark => mark.Guest != null && mark.Guest.gameObject == flight.gameObject) is { } own)
+                    last[flight] = own;
+                sat += flight.State == FlightState.Perched ? 1 : 0;
+                Assert.That(flight.Position.y, Is.GreaterThan(1f), $"{flight.name} at {frame / 60f:0.0} s");
+                foreach (PerchMark mark in marks.Where(mark => mark != last.GetValueOrDefault(flight)))
+                {
+                    Vector3 from = mark.transform.InverseTransformPoint(flight.Position);
+                    bool isAbove = new Vector2(from.x, from.z).magnitude < 1f;
+                    Assert.That(isAbove && from.y is > -0.3f and < 0.15f, Is.False,
+                        $"{flight.name} passes through a flower at {frame / 60f:0.0} s");
+                }
+            }
+        }
+
+        Assert.That(sat, Is.GreaterThan(600), "ten seconds of sitting, of all together");
+    }
+
     [UnityTest]
     public IEnumerator TheSnailfish_SwimsAroundTheGarden_ByItsOwnFins() => Swim(5);
 
@@ -60,6 +96,68 @@ public sealed class GardenSampleTests : SampleFixture<GardenSample>
         DrawnScreen.Slide("Butterflies", count);
         yield return Frames(20);
         Assert.That(Sample.GetComponentsInChildren<PerchPilot>().Length, Is.EqualTo(count));
+    }
+
+    // The camera comes near once, and from then on goes along.
+    [UnityTest]
+    public IEnumerator TheCamera_FollowsTheButterflyThatIsWatched()
+    {
+        yield return Begin();
+        DrawnScreen.Slide("Butterflies", 3f);
+        yield return Frames(30);
+        OrbitCamera camera = Sample.GetComponentInChildren<OrbitCamera>();
+        float far = camera.Distance;
+        DrawnScreen.Slide("Shy", 0f);
+        DrawnScreen.Slide("Watch", 2f);
+        yield return Frames(120);
+        InsectFlight watched = Sample.GetComponentsInChildren<PerchPilot>()[1].GetComponent<InsectFlight>();
+        Assert.That(camera.Distance, Is.LessThan(0.5f * far));
+        for (int frame = 0; frame < 120; frame++)
+        {
+            Assert.That(Vector3.Distance(camera.Target, watched.Position), Is.LessThan(6f), "it lags by a third of a second");
+            yield return null;
+        }
+
+        camera.Distance = 9f;
+        yield return Frames(5);
+        Assert.That(camera.Distance, Is.EqualTo(9f), "the wheel counts");
+        DrawnScreen.Slide("Watch", 0f);
+        yield return Frames(5);
+        Vector3 target = camera.Target;
+        yield return Frames(30);
+        Assert.That(camera.Target, Is.EqualTo(target));
+    }
+
+    [UnityTest]
+    public IEnumerator WhoIsNotShy_Stays([Values(0f, 6f)] float shy)
+    {
+        yield return Begin();
+        DrawnScreen.Slide("Butterflies", 2f);
+        DrawnScreen.Slide("Shy", shy);
+        yield return Frames(20);
+        Assert.That(Sample.GetComponentsInChildren<PerchPilot>().Select(pilot => pilot.Settings.fleeDistance),
+            Is.All.EqualTo(shy).Within(0.05f));
+    }
+
+    // The light that the scene had comes back.
+    [UnityTest]
+    public IEnumerator AtNight_SunAndSurroundingsAreDim_UntilTheSampleEnds()
+    {
+        Color sky = RenderSettings.ambientSkyColor;
+        yield return Begin();
+        Light sun = Sample.GetComponentsInChildren<Light>().Single(light => light.type == LightType.Directional);
+        DrawnScreen.Slide("Dusk", 0f);
+        yield return Frames(5);
+        (float day, float around) = (sun.intensity, RenderSettings.ambientSkyColor.g);
+        Assert.That(sun.shadows, Is.Not.EqualTo(LightShadows.None));
+        Assert.That(sun.transform.forward.y, Is.LessThan(-0.5f), "noon");
+        DrawnScreen.Slide("Dusk", 1f);
+        yield return Frames(5);
+        Assert.That(sun.intensity, Is.LessThan(0.2f * day));
+        Assert.That(RenderSettings.ambientSkyColor.g, Is.LessThan(0.5f * around));
+        Object.Destroy(Sample.gameObject);
+        yield return Frames(2);
+        Assert.That(RenderSettings.ambientSkyColor, Is.EqualTo(sky));
     }
 
     [UnityTest]

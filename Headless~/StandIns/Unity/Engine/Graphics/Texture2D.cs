@@ -72,6 +72,14 @@ public sealed class Texture2D : Texture
         return Array.ConvertAll(Pixels.ToArray(), pixel => (Color32)pixel);
     }
 
+    /// <summary>Pixels as the graphics card has them, whether scripts may read them or not.</summary>
+    [Unity.StandIns.StandInExtension]
+    public Color[] CopyPixels()
+    {
+        CheckAlive();
+        return Pixels.ToArray();
+    }
+
     public void SetPixel(int x, int y, Color color)
     {
         CheckReadable();

@@ -22,6 +22,10 @@ public static class DrawnScreen
     /// <summary>Places of the boxes of the last frame, in the order in which they were drawn.</summary>
     public static IReadOnlyList<Rect> Boxes => s_Page.Boxes;
 
+    /// <summary>Sliders of the last frame by the labels above them, with the values at their ends.</summary>
+    public static IReadOnlyList<(string Label, float Left, float Right)> Sliders =>
+        s_Page.Sliders.ConvertAll(slider => (slider.Label, slider.Left, slider.Right));
+
     /// <summary>All texts of the last frame, joined.</summary>
     public static string Text => string.Join("\n", Controls.Select(control => control.Text));
 
