@@ -52,7 +52,7 @@ namespace Alate.Samples
         private readonly List<Object> m_Made = new List<Object>();
 
         // Above the flowers, so that insects come down to those on which they land and pass through none.
-        private readonly FlightVolume m_Air = new FlightVolume(VolumeShape.Box, new Vector3(0f, 9.8f, 0f), new Vector3(36f, 6.4f, 36f));
+        private readonly FlightVolume m_Air = new FlightVolume(VolumeShape.Box, new Vector3(0f, 11.3f, 0f), new Vector3(36f, 9.4f, 36f));
         private readonly FlightVolume m_Night = new FlightVolume(VolumeShape.Box, new Vector3(0f, 8.6f, 0f), new Vector3(24f, 4f, 24f));
         private GardenFish m_Fish;
         private GardenLight m_Light;

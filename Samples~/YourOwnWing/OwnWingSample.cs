@@ -11,7 +11,7 @@ namespace Alate.Samples
     [DisallowMultipleComponent]
     public sealed class OwnWingSample : MonoBehaviour
     {
-        private const float k_CameraDistance = 3f;
+        private const float k_CameraDistance = 2.2f;
 
         private static readonly string[] s_Steps =
         {

@@ -1,6 +1,5 @@
 using System.IO;
 using System.Linq;
-using Alate.Catalogue;
 using Alate.Cli;
 using Alate.Drawing;
 using NUnit.Framework;

@@ -95,8 +95,17 @@ namespace Alate.Flight
                 default:
                     m_Passed += situation.deltaTime;
                     WantsSpot = m_Passed >= m_Share * settings.flightTime && !isThreatened;
-                    return between;
+                    return isThreatened ? Flee(situation, threat, between) : between;
             }
+        }
+
+        // Away from the threat, at least as fast as it takes off; it rises and sinks as it would without.
+        private static FlightCommand Flee(in FlightSituation situation, float3 threat, in FlightCommand between)
+        {
+            float3 level = new float3(1f, 0f, 1f), wanted = between.velocity * level;
+            float3 away = math.normalizesafe((situation.position - threat) * level, math.normalizesafe(wanted));
+            float speed = math.max(math.length(wanted), math.min(k_TakeOffSpeed, situation.limits.TopSpeed));
+            return FlightCommand.Fly(speed * away + new float3(0f, between.velocity.y, 0f));
         }
 
         private FlightCommand GiveUp(in FlightCommand between)

@@ -53,9 +53,12 @@ namespace Alate.Flight
         [Tooltip("Degrees of the steepest surface to land on; 45.")]
         public float steepest;
 
-        /// <summary>Distance of something watched at which the insect takes off, world units, 0 to 1000; 5. 0 watches nothing.</summary>
+        /// <summary>
+        /// Distance of something watched at which the insect takes off, and within which it flies away from it, world units, 0 to 1000; 5.
+        /// 0 watches nothing.
+        /// </summary>
         [Range(PerchBounds.FleeDistance.Min, PerchBounds.FleeDistance.Max)]
-        [Tooltip("World units: the insect takes off when something watched comes nearer; 5. 0 watches nothing.")]
+        [Tooltip("World units: the insect takes off and flies away when something watched comes nearer; 5. 0 watches nothing.")]
         public float fleeDistance;
 
         /// <summary>A butterfly on flowers.</summary>

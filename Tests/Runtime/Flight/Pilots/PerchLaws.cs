@@ -35,6 +35,23 @@ namespace Alate.Tests.Flight
             Check(times, 4f);
         }
 
+        // Level and away, at least as fast as it takes off; it rises and sinks as it would without.
+        [TestCase(0f)]
+        [TestCase(0.2f)]
+        [TestCase(1.5f)]
+        public void InFlight_AThreatIsFledFrom(float speed)
+        {
+            FlightSituation situation = Situation();
+            FlightCommand between = FlightCommand.Fly(new float3(speed, 0.3f, 0f));
+            float3 threat = situation.position + new float3(2f, 1f, -2f);
+            float3 fled = new PerchPlan(1).Next(situation, PerchSettings.Default, threat, between).velocity;
+
+            float wanted = math.max(speed, math.min(0.65f, situation.limits.TopSpeed));
+            Assert.That(fled.y, Is.EqualTo(0.3f));
+            Assert.That(math.length(fled.xz), Is.EqualTo(wanted).Within(1e-5f));
+            Assert.That(math.dot(fled.xz, math.normalize(new float2(-1f, 1f))), Is.EqualTo(wanted).Within(1e-5f));
+        }
+
         [Test]
         public void Stays_LastAboutTheirTime_FromWhenTheFeetAreDown()
         {
