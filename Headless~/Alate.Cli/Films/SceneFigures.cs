@@ -22,8 +22,8 @@ internal static class SceneFigures
         Scene = SampleScene.Find("garden"),
         Settings = ["Butterflies=12", "Shy=0"],
         Look = [10.0, 12.0, 4.2, 3.2, 4.9, -3.4],
-        After = 69.4,
-        Seconds = 10.2,
+        After = 79.2,
+        Seconds = 12.6,
         Rate = 20,
         Width = 640,
     };
