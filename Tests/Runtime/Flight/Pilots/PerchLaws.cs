@@ -42,7 +42,7 @@ namespace Alate.Tests.Flight
         public void InFlight_AThreatIsFledFrom(float speed)
         {
             FlightSituation situation = Situation();
-            FlightCommand between = FlightCommand.Fly(new float3(speed, 0.3f, 0f));
+            var between = FlightCommand.Fly(new float3(speed, 0.3f, 0f));
             float3 threat = situation.position + new float3(2f, 1f, -2f);
             float3 fled = new PerchPlan(1).Next(situation, PerchSettings.Default, threat, between).velocity;
 
