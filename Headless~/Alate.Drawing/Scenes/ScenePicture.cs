@@ -46,10 +46,17 @@ internal sealed class ScenePicture
         for (int k = 0; k < surface.Triangles.Length; k += 3)
         {
             var t = new int3(surface.Triangles[k], surface.Triangles[k + 1], surface.Triangles[k + 2]);
-            List<SceneCorner> corners = Before(new(seen[t.x], new float3(1f, 0f, 0f)), new(seen[t.y], new float3(0f, 1f, 0f)),
-                new(seen[t.z], new float3(0f, 0f, 1f)));
-            for (int c = 2; c < corners.Count; c++)
-                Draw(surface, index, t, corners[0], corners[c - 1], corners[c]);
+            SceneCorner a = new(seen[t.x], new float3(1f, 0f, 0f)), b = new(seen[t.y], new float3(0f, 1f, 0f)),
+                c = new(seen[t.z], new float3(0f, 0f, 1f));
+            if (math.cmin(new float3(a.Seen.z, b.Seen.z, c.Seen.z)) >= m_Camera.Nearest)
+            {
+                Draw(surface, index, t, a, b, c);
+                continue;
+            }
+
+            List<SceneCorner> corners = Before(a, b, c);
+            for (int corner = 2; corner < corners.Count; corner++)
+                Draw(surface, index, t, corners[0], corners[corner - 1], corners[corner]);
         }
     }
 
