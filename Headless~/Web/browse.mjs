@@ -10,13 +10,16 @@ export function check(holds, what) {
     throw new Error(what);
 }
 
-// Opens an address and waits until an insect beats there; what the console says of errors goes into problems.
-export async function open(browser, address, problems, options) {
+// True once an insect beats on a page.
+const flies = () => window.alate?.stage.columns.length > 0 && window.alate.state;
+
+// Opens an address and waits until it is ready; what the console says of errors goes into problems.
+export async function open(browser, address, problems, options, ready = flies) {
   const page = await browser.newPage(options);
   page.on('console', (message) => message.type() === 'error' && !isRefused(message.text()) && problems.push(message.text()));
   page.on('pageerror', (problem) => problems.push(problem.message));
   await page.goto(address);
-  await page.waitForFunction(() => window.alate?.stage.columns.length > 0 && window.alate.state, null, { timeout: 90000 });
+  await page.waitForFunction(ready, null, { timeout: 90000 });
   return page;
 }
 

@@ -6,7 +6,7 @@ using System.Threading.Tasks;
 
 namespace Alate.Cli;
 
-/// <summary><c>view [SPECIES]</c>: serves a page on which an insect flies and answers to sliders.</summary>
+/// <summary><c>view [SPECIES]</c>: serves a page on which an insect flies, or a sample scene plays, and answers to sliders.</summary>
 internal static class ViewCommand
 {
     private const string k_First = "monarch";
@@ -19,20 +19,26 @@ internal static class ViewCommand
             Description = $"The insect that flies first: {KnownSpecies.Names}. [default: {k_First}]",
         };
         Option<InsectVariant?> variant = FlightOptions.Variant();
+        var scene = new Option<string>("--scene")
+        {
+            HelpName = "NAME",
+            Description = $"A sample scene of the package plays on the page, in place of an insect: {SampleScene.Names}.",
+        };
         Option<int?> port = Numbers.OptionalCount(
             "--port", "N", 0, 65535, $"Port on this machine, 0 to 65535; 0 is any that is free. [default: {ViewServer.DefaultPort}]");
         Option<string> three = Three();
         var silent = new Option<bool>("--no-browser") { Description = "Opens no browser." };
         var command =
             new Command("view", "Opens a page in which an insect flies, by the real simulation, and answers to sliders.") { species,
-            variant, port, three, silent };
+            variant, scene, port, three, silent };
         HelpExamples.Set(command, k_Examples);
         command.SetAction(parsed =>
         {
-            InsectVariant shown = parsed.GetValue(variant) ?? InsectVariant.Standard;
-            InsectDefinition insect = KnownSpecies.Find(parsed.GetValue(species) ?? k_First, shown);
+            (IServedView view, string shown) = parsed.GetValue(scene) is string name
+                ? Scene(name, parsed.GetValue(species) != null || parsed.GetValue(variant) != null)
+                : Insect(parsed.GetValue(species) ?? k_First, parsed.GetValue(variant) ?? InsectVariant.Standard);
             ThreeSource source = parsed.GetValue(three) is string folder ? ThreeSource.Of(folder) : ThreeSource.Find();
-            Serve(insect, shown, parsed.GetValue(port) ?? ViewServer.DefaultPort, source, !parsed.GetValue(silent), output);
+            Serve(view, shown, parsed.GetValue(port) ?? ViewServer.DefaultPort, source, !parsed.GetValue(silent), output);
             return 0;
         });
         return command;
@@ -45,10 +51,24 @@ internal static class ViewCommand
         Description = $"A folder with three.js {ThreeSource.Version}. [default: found by itself, else a public server]",
     };
 
-    private static void Serve(InsectDefinition insect, InsectVariant variant, int port, ThreeSource three, bool opens, TextWriter output)
+    private static (IServedView View, string Shown) Insect(string name, InsectVariant variant)
     {
-        ViewServer server = ViewServer.Start(insect, variant, port, three).GetAwaiter().GetResult();
-        output.WriteLine($"The {insect.DisplayName} flies at {server.Address}  (Ctrl-C stops)");
+        InsectDefinition insect = KnownSpecies.Find(name, variant);
+        return (new InsectView(insect, variant), $"The {insect.DisplayName} flies");
+    }
+
+    private static (IServedView View, string Shown) Scene(string name, bool hasInsect)
+    {
+        if (hasInsect)
+            throw new UserException("A scene has its own insects: leave out SPECIES and --variant, or --scene.");
+        var scene = SampleScene.Find(name);
+        return (new SampleView(scene), $"The sample {scene.Name} plays");
+    }
+
+    private static void Serve(IServedView view, string shown, int port, ThreeSource three, bool opens, TextWriter output)
+    {
+        ViewServer server = ViewServer.Start(view, port, three).GetAwaiter().GetResult();
+        output.WriteLine($"{shown} at {server.Address}  (Ctrl-C stops)");
         output.Flush();
         if (opens)
             Open(server.Address.ToString());
@@ -72,11 +92,14 @@ internal static class ViewCommand
         "Examples:\n"
         + "  view\n"
         + "  view firefly --variant expressive --port 8080\n"
+        + "  view --scene garden\n"
         + "  view --three /opt/three\n\n"
         + "The page has all species and variants, sliders, the columns of 'compare', and overlays: skeleton, loads, angle of attack, "
         + "stretch, lift and\n"
         + "drag. A wing of your own (OBJ, PNG or JPEG) or an insect file flies when it is dropped on the page; its beat can be saved as\n"
         + "GLB.\n\n"
+        + "With --scene a sample of the package plays on the page, with its own panel: drag to turn its camera, drag with Shift to move,\n"
+        + "scroll to come nearer. One page at a time shows it.\n\n"
         + "Listens on the loopback only; nothing of it is seen from another machine.\n\n"
         + "Exit code: 2 for bad usage or a port that is taken, 130 when stopped by Ctrl-C.\n";
 }

@@ -5,6 +5,9 @@ namespace Alate.Cli;
 /// <summary>Texture of baked loops: where each vertex is at each frame, and its normal in the upper half.</summary>
 internal sealed class BakedLoops
 {
+    /// <summary>Name of the texture in a material.</summary>
+    public const string Map = "_BakeMap";
+
     private readonly int2 m_Size;
     private readonly Color[] m_Texels;
 

@@ -1,4 +1,5 @@
 using UnityEngine;
+using UnityEngine.Rendering;
 
 namespace Alate.Cli;
 
@@ -13,7 +14,8 @@ namespace Alate.Cli;
 internal sealed record MeshShape(
     float3[] Places, float3[] Normals, int[] Triangles, float2[] Coordinates, float2[] Baked, float4[] Joints, float4[] Colours)
 {
-    private const int k_JointChannel = 6;
+    /// <summary>Attribute of a mesh that has the joints of its vertices, for the graphics card to deform it.</summary>
+    public const VertexAttribute JointAttribute = VertexAttribute.TexCoord6;
 
     /// <summary>A submesh, whether scripts may read it or not.</summary>
     public static MeshShape Of(Mesh mesh, int part)
@@ -22,7 +24,7 @@ internal sealed record MeshShape(
         mesh.SetReadable(true);
         float2[] coordinates = Array.ConvertAll(mesh.uv, uv => (float2)uv), baked = Array.ConvertAll(mesh.uv2, uv => (float2)uv);
         var joints = new List<Vector4>();
-        mesh.GetUVs(k_JointChannel, joints);
+        mesh.GetUVs(JointAttribute - VertexAttribute.TexCoord0, joints);
         float4[] colours = Array.ConvertAll(mesh.colors, colour => Shading.Linear(colour));
         var shape = new MeshShape(
             Array.ConvertAll(mesh.vertices, place => (float3)place), Array.ConvertAll(mesh.normals, normal => (float3)normal),

@@ -37,7 +37,8 @@ internal sealed class PlayedSample : IDisposable
         int frames = Math.Max((int)Math.Ceiling(seconds / k_Frame - 1e-6), 1);
         for (int frame = 0; frame < frames; frame++)
         {
-            DrawnInstances.Calls = [];
+            // Those of the last frame are seen.
+            DrawnInstances.Calls = frame == frames - 1 ? [] : null;
             PlayerLoop.Tick((float)(seconds / frames));
         }
     }
@@ -49,13 +50,47 @@ internal sealed class PlayedSample : IDisposable
     {
         int at = setting.LastIndexOf('=');
         if (at < 0)
+        {
             Press(setting);
-        else
-            Slide(setting[..at].Trim(), setting[(at + 1)..].Trim());
-        while (DrawnScreen.IsBusy)
-            Step(0.0);
-        Step(0.0);
+            return;
+        }
+
+        string name = setting[..at].Trim(), value = setting[(at + 1)..].Trim();
+        if (!double.TryParse(value, NumberStyles.Float, CultureInfo.InvariantCulture, out double number) || !double.IsFinite(number))
+            throw new UserException($"{Quote.Of(name)} takes a finite number, not {Quote.Of(value)}.");
+        Slide(name, number);
     }
+
+    /// <summary>Moves a slider of the sample's own panel.</summary>
+    /// <param name="name">Beginning of its label.</param>
+    /// <param name="value">Number between those of its ends.</param>
+    /// <exception cref="UserException">The panel has none, or the value is out of its range.</exception>
+    public void Slide(string name, double value)
+    {
+        DrawnSlider slider = DrawnScreen.Sliders.FirstOrDefault(one => Begins(one.Label, name)) ?? throw Unknown(name);
+        if (value < slider.Left || value > slider.Right)
+        {
+            throw new UserException(FormattableString.Invariant(
+                $"{Quote.Of(name)} must lie between {slider.Left} and {slider.Right}; it is {value}."));
+        }
+
+        DrawnScreen.Slide(slider.Label[..name.Length], (float)value);
+        Settle();
+    }
+
+    /// <summary>Presses a button or toggle of the sample's own panel.</summary>
+    /// <param name="name">Beginning of its words.</param>
+    /// <exception cref="UserException">The panel has none.</exception>
+    public void Press(string name)
+    {
+        DrawnControl found = DrawnScreen.Controls.FirstOrDefault(
+            control => control.Kind is ControlKind.Button or ControlKind.Toggle && Begins(control.Text, name)) ?? throw Unknown(name);
+        DrawnScreen.Press(found.Text);
+        Settle();
+    }
+
+    /// <summary>Name of a slider by its label: what that says besides begins with a colon, a factor or a number.</summary>
+    public static string NameOf(string label) => Regex.Match(label, @"^[^:×\d]*").Value.Trim(' ', '-');
 
     /// <summary>Shot of what the main camera of the scene sees now.</summary>
     /// <param name="size">Columns and rows of the picture.</param>
@@ -69,27 +104,11 @@ internal sealed class PlayedSample : IDisposable
         ProjectShaders.Clear();
     }
 
-    private void Slide(string name, string value)
+    private void Settle()
     {
-        (string label, float left, float right) = DrawnScreen.Sliders.FirstOrDefault(slider => Begins(slider.Label, name));
-        if (label == null)
-            throw Unknown(name);
-        if (!float.TryParse(value, NumberStyles.Float, CultureInfo.InvariantCulture, out float number) || !float.IsFinite(number))
-            throw new UserException($"--set {Quote.Of(name)} takes a finite number, not {Quote.Of(value)}.");
-        if (number < left || number > right)
-        {
-            throw new UserException(FormattableString.Invariant(
-                $"--set {Quote.Of(name)} must lie between {left} and {right}; it is {number}."));
-        }
-
-        DrawnScreen.Slide(label[..name.Length], number);
-    }
-
-    private void Press(string name)
-    {
-        DrawnControl found = DrawnScreen.Controls.FirstOrDefault(
-            control => control.Kind is ControlKind.Button or ControlKind.Toggle && Begins(control.Text, name)) ?? throw Unknown(name);
-        DrawnScreen.Press(found.Text);
+        while (DrawnScreen.IsBusy)
+            Step(0.0);
+        Step(0.0);
     }
 
     private UserException Unknown(string name)
@@ -100,9 +119,6 @@ internal sealed class PlayedSample : IDisposable
         return new UserException($"The panel of {Scene.Name} has nothing named {Quote.Of(name)}. "
             + (sliders.Length + buttons.Length == 0 ? "It is empty." : $"It has: {string.Join(", ", [.. sliders, .. buttons])}."));
     }
-
-    // What a label says besides its name begins with a colon, a factor or a number.
-    private static string NameOf(string label) => Regex.Match(label, @"^[^:×\d]*").Value.Trim(' ', '-');
 
     private static bool Begins(string text, string name) =>
         name.Length > 0 && text.StartsWith(name, StringComparison.OrdinalIgnoreCase);

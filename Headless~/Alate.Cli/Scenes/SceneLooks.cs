@@ -14,17 +14,28 @@ internal sealed class SceneLooks
     /// <summary>Look of a material.</summary>
     /// <param name="material">The material.</param>
     /// <param name="tint">Linear light and opacity in place of its own; null for its own.</param>
-    public SceneLook Of(Material material, float4? tint)
+    public SceneLook Of(Material material, float4? tint) => Plain(material, tint) with
     {
-        MippedPicture picture = material.SurfaceTexture() is Texture2D texture && texture != null
+        Picture = PictureOf(material) is { } texture
             ? m_Pictures.GetValue(texture, read => new MippedPicture(read.width, read.height, read.CopyPixels()))
-            : null;
+            : null,
+    };
+
+    /// <summary>Look of a material without its texture.</summary>
+    /// <param name="material">The material.</param>
+    /// <param name="tint">Linear light and opacity in place of its own; null for its own.</param>
+    public static SceneLook Plain(Material material, float4? tint)
+    {
         float shine = Number(material, "_Shine");
         return new SceneLook(
-            picture, tint ?? Shading.Linear(Tint(material)), Number(material, "_VertexColours") > 0.5f, Number(material, "_Cull") < 0.5f,
+            null, tint ?? Shading.Linear(Tint(material)), Number(material, "_VertexColours") > 0.5f, Number(material, "_Cull") < 0.5f,
             Number(material, "_Translucent") > 0.5f, Number(material, "_Through"), Number(material, "_Gloss"),
             shine > 0f ? shine : k_Shine);
     }
+
+    /// <summary>Texture of a material; null for none.</summary>
+    public static Texture2D PictureOf(Material material) =>
+        material.SurfaceTexture() is Texture2D texture && texture != null ? texture : null;
 
     private static float Number(Material material, string name) => material.HasProperty(name) ? material.GetFloat(name) : 0f;
 

@@ -1,5 +1,4 @@
 using System.Runtime.CompilerServices;
-using Unity.StandIns;
 using UnityEngine;
 
 namespace Alate.Cli;
@@ -7,8 +6,6 @@ namespace Alate.Cli;
 /// <summary>Reads what a playing scene shows: its renderers, instances, lights and camera.</summary>
 internal sealed class SceneReader
 {
-    private static readonly int s_Colour = Shader.PropertyToID("_Color");
-
     private readonly SceneLooks m_Looks = new();
     private readonly ConditionalWeakTable<Texture2D, BakedLoops> m_Loops = [];
 
@@ -20,12 +17,13 @@ internal sealed class SceneReader
         Transform eye = camera.transform;
         return new SceneShot(
             new SceneCamera(eye.position, eye.rotation, camera.fieldOfView, camera.nearClipPlane, size), Surfaces(camera), LightNow(),
-            Shading.Linear(camera.backgroundColor).xyz);
+            Behind(camera));
     }
 
-    private static SceneLight LightNow()
+    /// <summary>Light of the scene that is loaded.</summary>
+    public static SceneLight LightNow()
     {
-        Light[] lit = [.. Resources.FindObjectsOfTypeAll<Light>().Where(light => light.enabled && IsInScene(light.gameObject)
+        Light[] lit = [.. Resources.FindObjectsOfTypeAll<Light>().Where(light => light.enabled && SceneItems.IsInScene(light.gameObject)
             && light.intensity > 0f)];
         Light sun = RenderSettings.sun != null ? RenderSettings.sun : Array.Find(lit, light => light.type == LightType.Directional);
         IEnumerable<SceneLamp> lamps = lit.Where(light => light.type == LightType.Point)
@@ -36,85 +34,38 @@ internal sealed class SceneReader
             sun == null ? 0f : LightOf(sun), sun != null && sun.shadows != LightShadows.None, [.. lamps]);
     }
 
-    private static float3 LightOf(Light light) => light.intensity * Shading.Linear(light.color).xyz;
+    /// <summary>Linear light of what a camera has behind all.</summary>
+    public static float3 Behind(Camera camera) => Shading.Linear(camera.backgroundColor).xyz;
 
-    private static bool IsInScene(GameObject one) => one.activeInHierarchy && one.scene.IsValid();
+    private static float3 LightOf(Light light) => light.intensity * Shading.Linear(light.color).xyz;
 
     private List<SceneSurface> Surfaces(Camera camera)
     {
         var found = new List<SceneSurface>();
-        var skins = new Dictionary<Texture, CardSkins>();
-        foreach (MeshRenderer renderer in Resources.FindObjectsOfTypeAll<MeshRenderer>())
+        var skins = new Dictionary<Texture2D, CardSkins>();
+        foreach (SceneItem item in SceneItems.Of(camera))
         {
-            if (renderer.enabled && IsInScene(renderer.gameObject) && renderer.TryGetComponent(out MeshFilter filter)
-                && filter.sharedMesh != null)
+            var shape = MeshShape.Of(item.Mesh, item.Part);
+            SceneLook look = m_Looks.Of(item.Material, item.Colour);
+            for (int k = 0; k < item.Places.Length; k++)
             {
-                Add(found, renderer, filter.sharedMesh, skins);
+                MeshShape shown = item.Rows != null ? Loops(item.Map).Shape(shape, item.Rows[k], item.NextRows[k])
+                    : item.SkinStart is { } start ? Skins(item.Map, skins).Shape(shape, start)
+                    : shape;
+                found.Add(shown.Placed(item.Places[k], look with { Tint = look.Tint * item.TintOf(k) }));
             }
-        }
-
-        foreach (DrawnBatch batch in DrawnInstances.Calls ?? [])
-        {
-            if (batch.Camera == null || batch.Camera == camera)
-                Add(found, batch);
         }
 
         return found;
     }
 
-    private void Add(List<SceneSurface> found, MeshRenderer renderer, Mesh mesh, Dictionary<Texture, CardSkins> skins)
-    {
-        Material[] materials = renderer.sharedMaterials;
-        Matrix4x4 place = renderer.localToWorldMatrix;
-        for (int part = 0; part < mesh.subMeshCount && materials.Length > 0; part++)
-        {
-            int slot = Math.Min(part, materials.Length - 1);
-            if (materials[slot] == null)
-                continue;
-            MaterialPropertyBlock own = Properties(renderer, slot);
-            var shape = MeshShape.Of(mesh, part);
-            SceneLook look = m_Looks.Of(materials[slot], own.HasColor(s_Colour) ? Shading.Linear(own.GetColor("_Color")) : null);
-            if (materials[slot].IsKeywordEnabled(CardSkins.Keyword) && shape.Joints != null)
-            {
-                shape = Skins(materials[slot].GetTexture(CardSkins.Map), skins).Shape(shape, own.GetFloat(CardSkins.Start));
-                look = Tinted(look, Shading.Linear(own.GetColor("_SkinTint")));
-            }
-
-            found.Add(shape.Placed(place, look));
-        }
-    }
-
-    // Those of a material hide those of the whole renderer.
-    private static MaterialPropertyBlock Properties(MeshRenderer renderer, int slot)
-    {
-        var own = new MaterialPropertyBlock();
-        renderer.GetPropertyBlock(own, slot);
-        if (own.isEmpty)
-            renderer.GetPropertyBlock(own);
-        return own;
-    }
+    private BakedLoops Loops(Texture2D map) => m_Loops.GetValue(map, read => new BakedLoops(read));
 
     // The joints move from frame to frame: the texture is read once a picture.
-    private static CardSkins Skins(Texture map, Dictionary<Texture, CardSkins> skins)
+    private static CardSkins Skins(Texture2D map, Dictionary<Texture2D, CardSkins> skins)
     {
         if (!skins.TryGetValue(map, out CardSkins known))
-            skins[map] = known = new CardSkins((Texture2D)map);
+            skins[map] = known = new CardSkins(map);
         return known;
     }
-
-    private void Add(List<SceneSurface> found, DrawnBatch batch)
-    {
-        var shape = MeshShape.Of(batch.Mesh, batch.Submesh);
-        bool isBaked = batch.Properties.TryGetValue("_BakeRows", out Vector4[] rows);
-        Vector4[] next = batch.Properties.GetValueOrDefault("_BakeNextRows"), tints = batch.Properties.GetValueOrDefault("_BakeTint");
-        BakedLoops loops = isBaked ? m_Loops.GetValue((Texture2D)batch.Material.GetTexture("_BakeMap"), map => new BakedLoops(map)) : null;
-        SceneLook look = m_Looks.Of(batch.Material, null);
-        for (int k = 0; k < batch.Matrices.Length; k++)
-        {
-            MeshShape shown = isBaked ? loops.Shape(shape, rows[k], next[k]) : shape;
-            found.Add(shown.Placed(batch.Matrices[k], tints == null ? look : Tinted(look, tints[k])));
-        }
-    }
-
-    private static SceneLook Tinted(SceneLook look, float4 tint) => look with { Tint = look.Tint * new float4(tint.xyz, 1f) };
 }

@@ -47,7 +47,7 @@ namespace Alate.Tests.Architecture
                     ["Films"] = ["Base", "Flights", "Scenes", "Wake"],
                     ["Wake"] = ["Base", "Flights"],
                     ["Studies"] = ["Base", "Flights", "Wake"],
-                    ["Live"] = ["Base", "Flights", "Wake"],
+                    ["Live"] = ["Base", "Flights", "Scenes", "Wake"],
                     ["Commands"] = ["Bakes", "Base", "Films", "Flights", "Live", "Projects", "Scenes", "Studies", "Wake"],
                     ["Alate.Cli"] = ["Base", "Commands"],
                 },
@@ -94,8 +94,9 @@ namespace Alate.Tests.Architecture
                 {
                     ["Messages"] = [],
                     ["Wakes"] = ["Messages"],
+                    ["Samples"] = ["Messages"],
                     ["Scenes"] = ["Messages", "Wakes"],
-                    ["Server"] = ["Messages", "Scenes"],
+                    ["Server"] = ["Messages", "Samples", "Scenes"],
                 },
                 ["Alate.Cli/Commands"] = new Dictionary<string, string[]>
                 {

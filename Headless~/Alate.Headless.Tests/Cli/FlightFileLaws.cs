@@ -222,11 +222,11 @@ public sealed class FlightFileLaws
         Assert.That((ThreeSource.Public.IsPublic, own.IsPublic, ThreeSource.Public.Names.Count()), Is.EqualTo((true, false, 0)));
         Assert.That(own.Names.ToDictionary(name => name, name => Encoding.UTF8.GetString(own.Read(name))),
             Is.EqualTo(ThreeSource.Hashes.Keys.ToDictionary(name => name)));
-        foreach (bool isLive in new[] { true, false })
+        foreach ((PageKind kind, string mode) in new[] { (PageKind.Live, "live"), (PageKind.Baked, "baked"), (PageKind.Scene, "scene") })
         {
-            var page = new PageFiles(own, isLive);
+            var page = new PageFiles(own, kind);
             string index = Encoding.UTF8.GetString(page.Find("index.html"));
-            Assert.That(index, Does.Contain(own.ImportMap()).And.Contain($"data-mode=\"{(isLive ? "live" : "baked")}\""));
+            Assert.That(index, Does.Contain(own.ImportMap()).And.Contain($"data-mode=\"{mode}\""));
             Assert.That(page.Names, Is.SupersetOf(own.Names.Select(name => "three/" + name).Append("main.js").Append("index.html")));
             Assert.That(page.Find("none"), Is.Null);
         }

@@ -111,6 +111,9 @@ namespace Alate.Tests.Cli
 
         [TestCase("'fly' has no option '--sped'. Did you mean '--speed'?", "fly", "monarch", "--sped", "1")]
         [TestCase("'view' has no option '--no-open'.", "view", "--no-open")]
+        [TestCase("There is no scene 'desert'. There are: comparison, garden,", "view", "--scene", "desert")]
+        [TestCase("A scene has its own insects", "view", "monarch", "--scene", "garden")]
+        [TestCase("A scene has its own insects", "view", "--scene", "garden", "--variant", "flight")]
         [TestCase("'--speed' stands in a wrong place", "fly", "monarch", "--", "--speed")]
         [TestCase("'fly' stands in a wrong place", "--", "fly", "monarch")]
         [TestCase("Unknown species '@more.txt'", "fly", "@more.txt")]

@@ -59,7 +59,7 @@ public sealed class OwnWingLaws
 
         Assert.That(page, Does.Contain(FormattableString.Invariant(
             $"at most {Alate.Cli.OwnWing.MostTriangles:#,0} triangles or {Alate.Cli.OwnWing.MostPixels / 1e6:0.##} million pixels, ")
-            + FormattableString.Invariant($"in a file of at most {ViewSession.LongestFile / 1048576.0:0.##} MB")));
+            + FormattableString.Invariant($"in a file of at most {PageSocket.LongestFile / 1048576.0:0.##} MB")));
     }
 
     // Signature, and the first chunk with its size.

@@ -4,6 +4,7 @@ using System.Text.Json;
 using Alate.Cli;
 using Alate.Tests.Cli;
 using NUnit.Framework;
+using UnityEngine;
 
 namespace Alate.Tests.Views;
 
@@ -22,7 +23,7 @@ public sealed class PageScriptTests : ViewFixture
         Fly(async () =>
         {
             string[] scripts =
-                ["format.js", "overlays.js", "perch.js", "chart.js", "share.js", "stage.js", "live.js", "dropped.js"];
+                ["format.js", "overlays.js", "perch.js", "chart.js", "share.js", "stage.js", "link.js", "live.js", "dropped.js"];
             foreach (string script in scripts)
                 File.WriteAllBytes(folder.PathOf(script), await Client.GetByteArrayAsync(script));
             await using ViewClient page = await ViewClient.Open(Server);
@@ -39,6 +40,56 @@ public sealed class PageScriptTests : ViewFixture
         Assert.That(code, Is.Zero, output);
         Assert.That(output.Split('\n').Count(line => line.StartsWith("ok ")), Is.EqualTo(12), output);
     }
+
+    // Insects deformed by the graphics card, lamps and a camera that is turned.
+    [Test]
+    public void ScriptsOfAScene_ReadWhatTheSampleSends_AndTurnItsCamera()
+    {
+        WebTools.NeedPlainNode();
+        using var folder = new TemporaryFolder();
+        File.WriteAllText(folder.PathOf("package.json"), "{\"type\":\"module\"}");
+        var files = new PageFiles(ThreeSource.Public, PageKind.Scene);
+        foreach (string script in new[] { "scene-format.js", "scene-look.js" })
+            File.WriteAllBytes(folder.PathOf(script), files.Find(script));
+        var state = new StateBuffer();
+        using (var sample = new LiveSample(SampleScene.Find("garden")))
+        {
+            sample.Change(SampleRequest.Read("{\"look\":[5,40,-20,0.5,1,2,3]}"u8.ToArray()));
+            sample.Advance(state);
+            File.WriteAllText(folder.PathOf("state.json"), Told(new SampleState(state.Content.ToArray()), Camera.main.transform));
+        }
+
+        File.WriteAllBytes(folder.PathOf("state.bin"), state.Content.ToArray());
+        (int code, string output) = WebTools.Run("scene-page.mjs", folder.Root).GetAwaiter().GetResult();
+
+        Assert.That(code, Is.Zero, output);
+        Assert.That(output.Split('\n').Count(line => line.StartsWith("ok ")), Is.EqualTo(4), output);
+    }
+
+    private static string Told(SampleState state, Transform eye) => JsonSerializer.Serialize(new
+    {
+        eye = new[] { eye.position.x, eye.position.y, eye.position.z },
+        right = new[] { eye.right.x, eye.right.y, eye.right.z },
+        up = new[] { eye.up.x, eye.up.y, eye.up.z },
+        ahead = new[] { eye.forward.x, eye.forward.y, eye.forward.z },
+        look = state.Look,
+        lamps = state.Lamps.Select(lamp => lamp.Range),
+        meshes = state.Meshes.Select(mesh => new
+        {
+            number = mesh.Number,
+            sum = mesh.Places.Sum(place => (double)place.x + place.y + place.z),
+            joints = mesh.Joints?.Length ?? 0,
+            parts = mesh.Parts.Select(part => part.Length),
+        }),
+        maps = state.Maps.Select(map => new[] { (int)map.Number, map.Width, map.Height, map.Numbers.Length, map.Colours.Length }),
+        draws = state.Draws.Select(draw => new
+        {
+            ids = new[] { (int)draw.Mesh, draw.Part, (int)draw.Picture, (int)draw.Map, (int)draw.Flags },
+            shine = draw.Shine,
+            first = new[] { draw.Instances[0].x.w, draw.Instances[0].y.w, draw.Instances[0].z.w },
+            tint = draw.Instances[^1].tint.x,
+        }),
+    });
 
     private static string Told(ViewState state) => JsonSerializer.Serialize(new
     {

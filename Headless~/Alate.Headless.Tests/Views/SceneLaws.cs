@@ -240,7 +240,7 @@ public sealed class SceneLaws
     public void AServer_MakesTheFirstInsectAtOnce_AndLeavesNothingOfIt_WhereNoPageOpens()
     {
         int before = NativeMemoryLedger.LiveCount;
-        ViewServer server = ViewServer.Start(InsectCatalogue.Find("monarch"), InsectVariant.Standard, 0, ThreeSource.Public)
+        ViewServer server = ViewServer.Start(new InsectView(InsectCatalogue.Find("monarch"), InsectVariant.Standard), 0, ThreeSource.Public)
             .GetAwaiter().GetResult();
         server.Simulation.RunUntil(server.Simulation.Do(() => { }));
         Assert.That(NativeMemoryLedger.LiveCount, Is.GreaterThan(before), "nothing is made before a page opens");

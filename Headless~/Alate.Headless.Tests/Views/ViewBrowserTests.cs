@@ -100,7 +100,7 @@ namespace Alate.Tests.Views
         }
 
         private static ViewServer Start(int port) =>
-            ViewServer.Start(InsectCatalogue.Find("monarch"), InsectVariant.Standard, port, ThreeSource.Find())
+            ViewServer.Start(new InsectView(InsectCatalogue.Find("monarch"), InsectVariant.Standard), port, ThreeSource.Find())
                 .GetAwaiter().GetResult();
     }
 }

@@ -29,7 +29,7 @@ namespace Alate.Tests.Views
         }
 
         private static Task<ViewServer> StartServer() =>
-            ViewServer.Start(InsectCatalogue.Find("fishfly"), InsectVariant.Standard, 0, ThreeSource.Public);
+            ViewServer.Start(new InsectView(InsectCatalogue.Find("fishfly"), InsectVariant.Standard), 0, ThreeSource.Public);
 
         // Runs clients beside this thread, which flies for them.
         private protected void Fly(Func<Task> clients)

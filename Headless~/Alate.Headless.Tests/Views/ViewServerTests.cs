@@ -130,7 +130,7 @@ namespace Alate.Tests.Views
         public void MessagesThatAreTooLong_CloseTheSocket() => Fly(async () =>
         {
             await using ViewClient page = await ViewClient.Open(Server);
-            await page.Say(new string(' ', ViewSession.LongestText + 1));
+            await page.Say(new string(' ', PageSocket.LongestText + 1));
 
             Assert.That(await page.ReadClose(), Is.EqualTo(WebSocketCloseStatus.MessageTooBig));
         });
@@ -194,7 +194,7 @@ namespace Alate.Tests.Views
             using var folder = new TemporaryFolder();
             foreach (string name in ThreeSource.Hashes.Keys)
                 folder.File(Path.GetFileName(name), name);
-            var files = new PageFiles(ThreeSource.Of(folder.Root), isLive: true);
+            var files = new PageFiles(ThreeSource.Of(folder.Root), PageKind.Live);
 
             Assert.That(Encoding.UTF8.GetString(files.Find("three/build/three.core.js")), Is.EqualTo("build/three.core.js"));
             Assert.That(Encoding.UTF8.GetString(files.Find(PageFiles.Index)), Does.Not.Contain("http"));

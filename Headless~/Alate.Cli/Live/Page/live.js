@@ -1,53 +1,23 @@
 import { MAGIC, decode, magicOf } from './format.js';
+import { Link } from './link.js';
 
-// The simulation behind a web socket, which is opened before there is anything to draw with: what it tells is kept until somebody listens.
-// Comes back by itself when the server does, with what was set before.
-export class Live {
+// The simulation of an insect, which comes back with what was set before.
+export class Live extends Link {
   constructor(wanted) {
-    this.early = [];
-    this.wait = 500;
+    super();
     this.wanted = wanted ?? null;
-    this.received = 0;
-    this.open();
   }
 
-  listen(listener) {
-    this.listener = listener;
-    this.early.splice(0).forEach((told) => this.tell(...told));
-  }
-
-  tell(name, ...values) {
-    if (this.listener) {
-      this.listener[name](...values);
-      return;
-    }
-    // Of the states the last one is enough.
+  // Of the states the last one is enough.
+  keep(name, ...values) {
     if (name === 'state')
       this.early = this.early.filter(([other]) => other !== 'state');
-    this.early.push([name, ...values]);
+    super.keep(name, ...values);
   }
 
-  close() {
-    clearTimeout(this.retry);
-    this.socket.onclose = null;
-    this.socket.close();
-  }
-
-  open() {
-    this.socket = new WebSocket(`ws://${location.host}/live`);
-    this.socket.binaryType = 'arraybuffer';
-    this.socket.onopen = () => {
-      this.wait = 500;
-      this.tell('status', 'live');
-      if (this.wanted)
-        this.send(this.wanted);
-    };
-    this.socket.onmessage = (event) => this.take(event.data);
-    this.socket.onclose = (event) => {
-      this.tell('status', 'away', event.code === 1009 || event.code === 1007 ? event.reason : '');
-      this.retry = setTimeout(() => this.open(), this.wait);
-      this.wait = Math.min(2 * this.wait, 4000);
-    };
+  opened() {
+    if (this.wanted)
+      this.send(this.wanted);
   }
 
   take(data) {
@@ -85,10 +55,5 @@ export class Live {
 
   save() {
     this.send({ save: true });
-  }
-
-  send(message) {
-    if (this.socket.readyState === WebSocket.OPEN)
-      this.socket.send(JSON.stringify(message));
   }
 }

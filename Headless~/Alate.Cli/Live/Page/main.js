@@ -3,6 +3,7 @@ import { Chart } from './chart.js';
 import * as dropped from './dropped.js';
 import * as keys from './keys.js';
 import { Live } from './live.js';
+import { load } from './loader.js';
 import * as message from './message.js';
 import { say } from './message.js';
 import { ramps, wake } from './overlays.js';
@@ -14,24 +15,9 @@ const get = (id) => document.getElementById(id), isLive = document.documentEleme
 let link = share.read(location.hash);
 const live = isLive ? new Live(link?.wanted) : null;
 
-async function load() {
-  try {
-    const [THREE, { OrbitControls }, { Stage }] = await Promise.all([import('three'), import('three/orbit'), import('./stage.js')]);
-    return new Stage(THREE, OrbitControls, get('canvas'));
-  } catch (problem) {
-    if (problem instanceof TypeError || problem instanceof SyntaxError)
-      tellHowToGetThree();
-    else
-      say(`WebGL 2 is not available in this browser (${problem.message}).`, 'bad');
-    get('status').textContent = 'not loaded';
-    live?.close();
-    return null;
-  }
-}
-
-function tellHowToGetThree() {
-  const why = document.querySelector('[type=importmap]').textContent.includes('https:') ? 'there is no network here' : 'its files are gone';
-  say(`three.js could not be loaded: ${why}. Two commands bring it:`, 'bad', ['npm ci --prefix Headless~/Web', `dotnet run -c Release --project Headless~/Alate.Cli -- ${isLive ? 'view' : 'site DIR'}`]);
+async function makeStage() {
+  const [THREE, { OrbitControls }, { Stage }] = await Promise.all([import('three'), import('three/orbit'), import('./stage.js')]);
+  return new Stage(THREE, OrbitControls, get('canvas'));
 }
 
 function labels(scene) {
@@ -78,7 +64,9 @@ function legend(field, state) {
   get('ramp-high').textContent = `${ramp.high}${ramp.unit}${ramp.isOpen ? ' and more' : ''}`;
 }
 
-const stage = await load();
+const stage = await load(makeStage, isLive ? 'view' : 'site DIR');
+if (!stage)
+  live?.close();
 if (stage) {
   const chart = new Chart(get('curves')), shown = new Set();
   let latest = null, rate = 0, counted = 0, full = 0;

@@ -11,22 +11,20 @@ internal sealed class PageFiles
     /// <summary>The page itself.</summary>
     public const string Index = "index.html";
 
-    private const string k_Folder = "Page/", k_MapMark = "/*IMPORT MAP*/", k_ModeMark = "/*MODE*/";
+    private const string k_Folder = "Page/", k_SceneFolder = "ScenePage/", k_MapMark = "/*IMPORT MAP*/", k_ModeMark = "/*MODE*/";
 
     private readonly Dictionary<string, Func<byte[]>> m_Files = [];
 
     /// <param name="three">Where three.js is.</param>
-    /// <param name="isLive">Served with the simulation; else from a folder with baked insects.</param>
-    public PageFiles(ThreeSource three, bool isLive)
+    /// <param name="kind">What the page shows.</param>
+    public PageFiles(ThreeSource three, PageKind kind)
     {
         string map = three.ImportMap();
-        foreach (string resource in typeof(PageFiles).Assembly.GetManifestResourceNames()
-            .Where(name => name.StartsWith(k_Folder, StringComparison.Ordinal)))
-        {
-            m_Files[resource[k_Folder.Length..]] = () => Resource(resource);
-        }
-        byte[] index = Encoding.UTF8.GetBytes(
-            Encoding.UTF8.GetString(Resource(k_Folder + Index)).Replace(k_MapMark, map).Replace(k_ModeMark, isLive ? "live" : "baked"));
+        Add(k_Folder);
+        if (kind == PageKind.Scene)
+            Add(k_SceneFolder);
+        byte[] index = Encoding.UTF8.GetBytes(Encoding.UTF8.GetString(Find(Index)).Replace(k_MapMark, map)
+            .Replace(k_ModeMark, kind.ToString().ToLowerInvariant()));
         m_Files[Index] = () => index;
         foreach (string name in three.Names)
             m_Files[$"three/{name}"] = () => three.Read(name);
@@ -54,6 +52,16 @@ internal sealed class PageFiles
         ".svg" => "image/svg+xml",
         _ => "application/octet-stream",
     };
+
+    // A file of a later folder is in place of one of the same name.
+    private void Add(string folder)
+    {
+        foreach (string resource in typeof(PageFiles).Assembly.GetManifestResourceNames()
+            .Where(name => name.StartsWith(folder, StringComparison.Ordinal)))
+        {
+            m_Files[resource[folder.Length..]] = () => Resource(resource);
+        }
+    }
 
     private static byte[] Resource(string name)
     {

@@ -1,6 +1,5 @@
 using System.Net;
 using System.Net.Sockets;
-using System.Net.WebSockets;
 using System.Threading;
 using System.Threading.Tasks;
 using Microsoft.AspNetCore.Builder;
@@ -30,18 +29,15 @@ internal sealed class ViewServer
 
     private readonly WebApplication m_Application;
     private readonly PageFiles m_Files;
-    private readonly InsectDefinition m_Species;
-    private readonly InsectVariant m_Variant;
+    private readonly IServedView m_View;
     private readonly CancellationTokenSource m_Stop = new();
     private string[] m_Hosts = [];
-    private Task<SceneInsect> m_First;
     private int m_Pages;
 
-    private ViewServer(InsectDefinition species, InsectVariant variant, int port, ThreeSource three)
+    private ViewServer(IServedView view, int port, ThreeSource three)
     {
-        m_Species = species;
-        m_Variant = variant;
-        m_Files = new PageFiles(three, isLive: true);
+        m_View = view;
+        m_Files = new PageFiles(three, view.Kind);
 
         // Nothing is read from the surroundings: neither files of settings nor environment variables can make it listen elsewhere.
         WebApplicationBuilder builder = WebApplication.CreateEmptyBuilder(new WebApplicationOptions());
@@ -54,21 +50,20 @@ internal sealed class ViewServer
     /// <summary>Address of the page.</summary>
     public Uri Address { get; private set; }
 
-    /// <summary>Flies the insects of all pages; whoever starts a server gives it a thread.</summary>
+    /// <summary>Thread of what all pages show; whoever starts a server gives it one.</summary>
     public SimulationThread Simulation { get; } = new();
 
     /// <summary>Pages that are open.</summary>
     public int Pages => m_Pages;
 
     /// <summary>Starts a server.</summary>
-    /// <param name="species">What a page shows first.</param>
-    /// <param name="variant">Its variant.</param>
+    /// <param name="view">What its pages show.</param>
     /// <param name="port">0 for any that is free.</param>
     /// <param name="three">Where three.js is.</param>
     /// <exception cref="UserException">The port is taken or not allowed.</exception>
-    public static async Task<ViewServer> Start(InsectDefinition species, InsectVariant variant, int port, ThreeSource three)
+    public static async Task<ViewServer> Start(IServedView view, int port, ThreeSource three)
     {
-        var server = new ViewServer(species, variant, port, three);
+        var server = new ViewServer(view, port, three);
         try
         {
             await server.m_Application.StartAsync();
@@ -84,11 +79,11 @@ internal sealed class ViewServer
         IServer kestrel = server.m_Application.Services.GetRequiredService<IServer>();
         server.Address = new Uri(kestrel.Features.Get<IServerAddressesFeature>().Addresses.First());
         server.m_Hosts = [$"127.0.0.1:{server.Address.Port}", $"localhost:{server.Address.Port}"];
-        server.m_First = server.MakeInsect();
+        view.Begin(server.Simulation, server.m_Stop.Token);
         return server;
     }
 
-    /// <summary>Ends all pages' flights and stops listening.</summary>
+    /// <summary>Ends what all pages show and stops listening.</summary>
     public async Task Stop()
     {
         await m_Stop.CancelAsync();
@@ -96,30 +91,9 @@ internal sealed class ViewServer
         await m_Application.StopAsync(patience.Token);
         while (Volatile.Read(ref m_Pages) > 0)
             await Task.Delay(5);
-        if (Interlocked.Exchange(ref m_First, null) is { } first)
-            await Drop(first);
+        await m_View.End();
         await m_Application.DisposeAsync();
         m_Stop.Dispose();
-    }
-
-    // The insect of the first page is made, and its wings are painted, while the browser starts.
-    private Task<SceneInsect> MakeInsect() => Simulation.Do(() =>
-    {
-        m_Stop.Token.ThrowIfCancellationRequested();
-        return new SceneInsect(ViewSettings.Of(m_Species, m_Variant));
-    });
-
-    private async Task Drop(Task<SceneInsect> insect)
-    {
-        try
-        {
-            SceneInsect made = await insect;
-            await Simulation.Do(made.Dispose);
-        }
-        catch (Exception problem) when (problem is OperationCanceledException or UserException)
-        {
-            // It was not made.
-        }
     }
 
     private static void Limit(KestrelServerOptions options, int port)
@@ -151,7 +125,7 @@ internal sealed class ViewServer
             return Refuse(response, StatusCodes.Status405MethodNotAllowed, "Only GET.");
         string name = context.Request.Path.Value.TrimStart('/');
         if (name == "live")
-            return Fly(context);
+            return Serve(context);
         byte[] file = m_Files.Find(name.Length == 0 ? PageFiles.Index : name);
         if (file == null)
             return Refuse(response, StatusCodes.Status404NotFound, "There is no such file.");
@@ -160,7 +134,7 @@ internal sealed class ViewServer
         return HttpMethods.IsHead(context.Request.Method) ? Task.CompletedTask : response.Body.WriteAsync(file, 0, file.Length);
     }
 
-    private async Task Fly(HttpContext context)
+    private async Task Serve(HttpContext context)
     {
         if (!context.WebSockets.IsWebSocketRequest)
         {
@@ -185,10 +159,8 @@ internal sealed class ViewServer
             }
 
             using var end = CancellationTokenSource.CreateLinkedTokenSource(m_Stop.Token, context.RequestAborted);
-            WebSocket socket = await context.WebSockets.AcceptWebSocketAsync();
-            Task<SceneInsect> insect = Interlocked.Exchange(ref m_First, null) ?? MakeInsect();
-            await using var session = new ViewSession(socket, Simulation, insect);
-            await session.Run(end.Token);
+            using var socket = new PageSocket(await context.WebSockets.AcceptWebSocketAsync());
+            await m_View.Serve(socket, end.Token);
         }
         finally
         {

@@ -1,5 +1,4 @@
 using System.Net.WebSockets;
-using System.Text.Json.Nodes;
 using System.Threading;
 using System.Threading.Channels;
 using System.Threading.Tasks;
@@ -7,17 +6,12 @@ using System.Threading.Tasks;
 namespace Alate.Cli;
 
 /// <summary>One page that is open: its requests come in and the states of its insect go out over one web socket.</summary>
-internal sealed class ViewSession(WebSocket socket, SimulationThread simulation, Task<SceneInsect> insect) : IAsyncDisposable
+internal sealed class ViewSession(PageSocket socket, SimulationThread simulation, Task<SceneInsect> insect) : IAsyncDisposable
 {
-    /// <summary>Longest message of text, longest file, and longest files of one message together, bytes.</summary>
-    public const int LongestText = 4096, LongestFile = 16 << 20, LongestFiles = 2 * LongestFile;
+    /// <summary>Longest files of one message together, bytes.</summary>
+    public const int LongestFiles = 2 * PageSocket.LongestFile;
 
-    private const int k_Waiting = 16, k_Chunk = 1 << 16;
-
-    /// <summary>Longest reason for an end, bytes of UTF-8: the frame of a web socket has room for 125, two of them for the code.</summary>
-    private const int k_LongestReason = 123;
-
-    private static readonly TimeSpan s_Patience = TimeSpan.FromSeconds(20), s_Farewell = TimeSpan.FromSeconds(1);
+    private const int k_Waiting = 16;
 
     private readonly Channel<(ViewRequest Request, List<DroppedFile> Files)> m_Requests =
         Channel.CreateBounded<(ViewRequest, List<DroppedFile>)>(k_Waiting);
@@ -32,18 +26,18 @@ internal sealed class ViewSession(WebSocket socket, SimulationThread simulation,
         try
         {
             m_Insect = await insect;
-            await Send(await simulation.Do(() => SceneMessage.Hello(m_Insect.Known, ViewSlider.All)), end.Token);
-            await Send(m_Insect.Scene, end.Token);
+            await socket.Send(await simulation.Do(() => SceneMessage.Hello(m_Insect.Known, ViewSlider.All)), end.Token);
+            await socket.Send(m_Insect.Scene, end.Token);
             using var timer = new PeriodicTimer(TimeSpan.FromSeconds(1.0 / SceneInsect.Rate));
             while (await timer.WaitForNextTickAsync(end.Token))
             {
                 while (m_Requests.Reader.TryRead(out (ViewRequest Request, List<DroppedFile> Files) next))
                     await Answer(next.Request, next.Files, end.Token);
                 await simulation.Do(() => m_Insect.Advance(m_State));
-                await Send(m_State.Content, WebSocketMessageType.Binary, end.Token);
+                await socket.Send(m_State.Content, end.Token);
             }
         }
-        catch (Exception problem) when (problem is OperationCanceledException or WebSocketException or IOException)
+        catch (Exception problem) when (PageSocket.IsGone(problem))
         {
             // The page is gone, or the server stops.
         }
@@ -51,7 +45,7 @@ internal sealed class ViewSession(WebSocket socket, SimulationThread simulation,
         {
             await end.CancelAsync();
             await receiving;
-            await Close(WebSocketCloseStatus.NormalClosure, "The server stops.");
+            await socket.Close(WebSocketCloseStatus.NormalClosure, "The server stops.");
         }
     }
 
@@ -59,7 +53,6 @@ internal sealed class ViewSession(WebSocket socket, SimulationThread simulation,
     {
         if (m_Insect != null)
             await simulation.Do(m_Insect.Dispose);
-        socket.Dispose();
     }
 
     private async Task Answer(ViewRequest request, List<DroppedFile> files, CancellationToken stop)
@@ -72,17 +65,17 @@ internal sealed class ViewSession(WebSocket socket, SimulationThread simulation,
             }
             else if (request.IsSave)
             {
-                await Send(await simulation.Do(m_Insect.Save), WebSocketMessageType.Binary, stop);
+                await socket.Send(await simulation.Do(m_Insect.Save), stop);
             }
             else
             {
-                await Send(
+                await socket.Send(
                     await simulation.Do(() => m_Insect.Change(request)) ? m_Insect.Scene : SceneMessage.Settings(m_Insect.Settings), stop);
             }
         }
         catch (UserException problem)
         {
-            await Send(new JsonObject { ["type"] = "error", ["message"] = problem.Message.ReplaceLineEndings(" ") }, stop);
+            await socket.Send(problem, stop);
         }
     }
 
@@ -92,7 +85,7 @@ internal sealed class ViewSession(WebSocket socket, SimulationThread simulation,
         if (DroppedInsect.Find(files) is { } insect)
         {
             await simulation.Do(() => m_Insect.Add(insect, files));
-            await Send(await simulation.Do(() => SceneMessage.Hello(m_Insect.Known, ViewSlider.All)), stop);
+            await socket.Send(await simulation.Do(() => SceneMessage.Hello(m_Insect.Known, ViewSlider.All)), stop);
         }
         else if (files.Count == 1)
         {
@@ -103,7 +96,7 @@ internal sealed class ViewSession(WebSocket socket, SimulationThread simulation,
             throw new UserException($"Drop one wing, or one insect file (NAME{InsectFile.Ending}) with the files that it names.");
         }
 
-        await Send(m_Insect.Scene, stop);
+        await socket.Send(m_Insect.Scene, stop);
     }
 
     private async Task Receive(CancellationTokenSource end)
@@ -112,7 +105,7 @@ internal sealed class ViewSession(WebSocket socket, SimulationThread simulation,
         {
             ViewRequest waiting = null;
             var files = new List<DroppedFile>();
-            while (await ReadMessage(end.Token) is (WebSocketMessageType type, byte[] content))
+            while (await socket.Read(end.Token) is (WebSocketMessageType type, byte[] content))
             {
                 if (type == WebSocketMessageType.Binary)
                 {
@@ -121,7 +114,7 @@ internal sealed class ViewSession(WebSocket socket, SimulationThread simulation,
                     files.Add(new DroppedFile(waiting.Files[files.Count], content));
                     if (files.Sum(file => (long)file.Content.Length) > LongestFiles)
                     {
-                        await Close(WebSocketCloseStatus.MessageTooBig, $"At most {LongestFiles} bytes of files.");
+                        await socket.Close(WebSocketCloseStatus.MessageTooBig, $"At most {LongestFiles} bytes of files.");
                         return;
                     }
 
@@ -141,64 +134,15 @@ internal sealed class ViewSession(WebSocket socket, SimulationThread simulation,
         }
         catch (FormatException problem)
         {
-            await Close(WebSocketCloseStatus.InvalidPayloadData, problem.Message);
+            await socket.Close(WebSocketCloseStatus.InvalidPayloadData, problem.Message);
         }
-        catch (Exception problem) when (problem is OperationCanceledException or WebSocketException or IOException)
+        catch (Exception problem) when (PageSocket.IsGone(problem))
         {
             // The page is gone, or the server stops.
         }
         finally
         {
             await end.CancelAsync();
-        }
-    }
-
-    // Null where the page says goodbye or says too much.
-    private async Task<(WebSocketMessageType, byte[])?> ReadMessage(CancellationToken stop)
-    {
-        byte[] chunk = new byte[k_Chunk];
-        using var content = new MemoryStream();
-        while (true)
-        {
-            ValueWebSocketReceiveResult part = await socket.ReceiveAsync(chunk.AsMemory(), stop);
-            if (part.MessageType == WebSocketMessageType.Close)
-                return null;
-            int most = part.MessageType == WebSocketMessageType.Text ? LongestText : LongestFile;
-            if (content.Length + part.Count > most)
-            {
-                await Close(WebSocketCloseStatus.MessageTooBig, $"At most {most} bytes.");
-                return null;
-            }
-
-            content.Write(chunk, 0, part.Count);
-            if (part.EndOfMessage)
-                return (part.MessageType, content.ToArray());
-        }
-    }
-
-    private Task Send(JsonObject message, CancellationToken stop) =>
-        Send(Encoding.UTF8.GetBytes(message.ToJsonString()), WebSocketMessageType.Text, stop);
-
-    // A page that does not read must not hold the insect for ever.
-    private async Task Send(ReadOnlyMemory<byte> content, WebSocketMessageType type, CancellationToken stop)
-    {
-        using var patience = CancellationTokenSource.CreateLinkedTokenSource(stop);
-        patience.CancelAfter(s_Patience);
-        await socket.SendAsync(content, type, true, patience.Token);
-    }
-
-    private async Task Close(WebSocketCloseStatus status, string reason)
-    {
-        using var patience = new CancellationTokenSource(s_Farewell);
-        try
-        {
-            if (socket.State is WebSocketState.Open or WebSocketState.CloseReceived)
-                await socket.CloseOutputAsync(status, QuotedMessage.Bytes(reason, k_LongestReason), patience.Token);
-        }
-        catch (Exception problem) when (problem is OperationCanceledException or WebSocketException or IOException
-            or InvalidOperationException)
-        {
-            socket.Abort();
         }
     }
 }

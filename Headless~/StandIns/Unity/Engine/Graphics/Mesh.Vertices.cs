@@ -36,6 +36,12 @@ public sealed partial class Mesh
     public int GetVertexAttributeStream(VertexAttribute attr) => Alive()._vertices.Has(attr) ? _vertices.Find(attr).stream : -1;
     public int GetVertexBufferStride(int stream) => Alive()._vertices.Stride(stream);
 
+    /// <summary>The buffer that holds the positions, as the graphics card has it; empty where there are none.</summary>
+    [Unity.StandIns.StandInExtension]
+    public ReadOnlySpan<byte> PositionBuffer() => HasVertexAttribute(VertexAttribute.Position)
+        ? _vertices.Stream(_vertices.Find(VertexAttribute.Position).stream)
+        : default;
+
     public void SetVertexBufferParams(int vertexCount, params VertexAttributeDescriptor[] attributes)
     {
         CheckAlive();

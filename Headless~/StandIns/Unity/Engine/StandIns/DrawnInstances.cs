@@ -1,6 +1,7 @@
+using System;
 using System.Collections.Generic;
-using System.Linq;
-using System.Reflection;
+using System.Runtime.CompilerServices;
+using System.Runtime.InteropServices;
 using Unity.Collections;
 using UnityEngine;
 
@@ -40,9 +41,14 @@ public static class DrawnInstances
     // As Unity does: matrices alone, or a struct with fields of certain names.
     private static Matrix4x4[] Read<T>(NativeArray<T> instances, string name, int count, int start) where T : unmanaged
     {
-        FieldInfo field = typeof(T).GetField(name);
-        if (typeof(T) == typeof(Matrix4x4))
-            return name == "objectToWorld" ? instances.Skip(start).Take(count).Select(value => (Matrix4x4)(object)value).ToArray() : null;
-        return field == null ? null : instances.Skip(start).Take(count).Select(value => (Matrix4x4)field.GetValue(value)).ToArray();
+        bool isMatrix = typeof(T) == typeof(Matrix4x4);
+        if (isMatrix ? name != "objectToWorld" : typeof(T).GetField(name) == null)
+            return null;
+        int offset = isMatrix ? 0 : (int)Marshal.OffsetOf<T>(name), size = Unsafe.SizeOf<T>();
+        ReadOnlySpan<byte> bytes = MemoryMarshal.AsBytes(instances.AsReadOnlySpan());
+        var places = new Matrix4x4[count];
+        for (int k = 0; k < count; k++)
+            places[k] = MemoryMarshal.Read<Matrix4x4>(bytes[((start + k) * size + offset)..]);
+        return places;
     }
 }

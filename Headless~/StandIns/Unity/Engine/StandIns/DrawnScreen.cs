@@ -22,9 +22,8 @@ public static class DrawnScreen
     /// <summary>Places of the boxes of the last frame, in the order in which they were drawn.</summary>
     public static IReadOnlyList<Rect> Boxes => s_Page.Boxes;
 
-    /// <summary>Sliders of the last frame by the labels above them, with the values at their ends.</summary>
-    public static IReadOnlyList<(string Label, float Left, float Right)> Sliders =>
-        s_Page.Sliders.ConvertAll(slider => (slider.Label, slider.Left, slider.Right));
+    /// <summary>Sliders of the last frame in the order in which they were drawn.</summary>
+    public static IReadOnlyList<DrawnSlider> Sliders => s_Page.Sliders;
 
     /// <summary>All texts of the last frame, joined.</summary>
     public static string Text => string.Join("\n", Controls.Select(control => control.Text));
@@ -44,12 +43,10 @@ public static class DrawnScreen
     {
         s_Acts.Enqueue(() =>
         {
-            (string found, Rect place, float left, float right) =
-                s_Page.Sliders.Find(slider => slider.Label.StartsWith(label, StringComparison.Ordinal));
-            if (found == null)
-                throw new InvalidOperationException($"There is no slider '{label}' on the screen.");
-            float share = Math.Clamp((value - left) / (right - left), 0f, 1f);
-            Hold(new Vector2(place.xMin + share * place.width, place.center.y));
+            DrawnSlider found = s_Page.Sliders.Find(slider => slider.Label.StartsWith(label, StringComparison.Ordinal))
+                ?? throw new InvalidOperationException($"There is no slider '{label}' on the screen.");
+            float share = Math.Clamp((value - found.Left) / (found.Right - found.Left), 0f, 1f);
+            Hold(new Vector2(found.Place.xMin + share * found.Place.width, found.Place.center.y));
         });
         s_Acts.Enqueue(Release);
     }

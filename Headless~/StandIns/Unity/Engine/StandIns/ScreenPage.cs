@@ -23,8 +23,7 @@ internal sealed class ScreenPage : IGuiPage
     /// <summary>Kinds of the controls whose places GUILayout found.</summary>
     public List<ControlKind> LaidOut { get; } = [];
 
-    /// <summary>Sliders with their ends, by their labels.</summary>
-    public List<(string Label, Rect Place, float Left, float Right)> Sliders { get; } = [];
+    public List<DrawnSlider> Sliders { get; } = [];
 
     public Rect Next(float height)
     {
@@ -58,7 +57,7 @@ internal sealed class ScreenPage : IGuiPage
 
     public float Slide(Rect at, float value, float left, float right)
     {
-        Sliders.Add((_label, at, left, right));
+        Sliders.Add(new DrawnSlider(_label, at, value, left, right));
         Add(ControlKind.Field, at, new GUIContent(_label), $"{value} of {left} to {right}");
         return value;
     }
