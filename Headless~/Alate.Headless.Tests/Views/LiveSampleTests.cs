@@ -8,7 +8,6 @@ using Alate.Drawing;
 using NUnit.Framework;
 using StandIns;
 using Unity.Mathematics;
-using Unity.StandIns;
 using UnityEngine;
 
 namespace Alate.Tests.Views;
@@ -305,7 +304,7 @@ public sealed class LiveSampleTests
     {
         SampleState.Mesh mesh = m_Meshes[draw.Mesh];
         int[] used = [.. mesh.Parts[draw.Part].Distinct()];
-        var turn = math.inverse(new float3x3(instance.x.xyz, instance.y.xyz, instance.z.xyz));
+        float3x3 turn = math.inverse(new float3x3(instance.x.xyz, instance.y.xyz, instance.z.xyz));
         return (mesh.Parts[draw.Part].Length, Mean(used, Array.ConvertAll(mesh.Places, instance.Place)),
             Mean(used, [.. mesh.Normals.Select(normal => math.normalizesafe(math.mul(turn, normal)))]), instance.tint);
     }

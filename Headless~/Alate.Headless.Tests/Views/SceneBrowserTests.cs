@@ -3,7 +3,6 @@ using System.IO;
 using System.Linq;
 using System.Threading.Tasks;
 using Alate.Cli;
-using Alate.Drawing;
 using Alate.Tests.Cli;
 using NUnit.Framework;
 using Unity.Mathematics;
@@ -48,7 +47,7 @@ public sealed class SceneBrowserTests
         {
             while (!File.Exists(m_Folder.PathOf("shown")))
                 await Task.Delay(50);
-            PngFile canvas = PngFile.Read(File.ReadAllBytes(m_Folder.PathOf("canvas.png")));
+            var canvas = PngFile.Read(File.ReadAllBytes(m_Folder.PathOf("canvas.png")));
             size = new int2(canvas.Width, canvas.Height);
             painted = await server.Simulation.Do(() => new SceneReader().Shot(Camera.main, size).Paint());
             File.WriteAllText(m_Folder.PathOf("painted"), "");
