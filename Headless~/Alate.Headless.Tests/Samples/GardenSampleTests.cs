@@ -1,6 +1,7 @@
 using System.Collections;
 using System.Collections.Generic;
 using System.Linq;
+using Alate.Cli;
 using Alate.Flight;
 using Alate.Samples;
 using Alate.Showcase;
@@ -79,6 +80,42 @@ public sealed class GardenSampleTests : SampleFixture<GardenSample>
         }
 
         Assert.That(sat, Is.GreaterThan(600), "ten seconds of sitting, of all together");
+    }
+
+    // Seen in the meshes themselves. Basking opens the wings again: they are closed for a third of a second at a time.
+    [UnityTest]
+    [Explicit]
+    [Category("Long")]
+    public IEnumerator WhoSits_StandsOnItsFeet_WithItsWingsClosed_AloneOnItsFlower()
+    {
+        yield return Begin();
+        DrawnScreen.Slide("Butterflies", 12f);
+        DrawnScreen.Slide("Shy", 0f);
+        yield return Frames(60);
+        PerchMark[] marks = Sample.GetComponentsInChildren<PerchMark>();
+        var still = new Dictionary<InsectFlight, int>();
+        int seen = 0;
+        for (int frame = 0; frame < 3600; frame++)
+        {
+            yield return null;
+            foreach (InsectFlight flight in Sample.GetComponentsInChildren<InsectFlight>())
+            {
+                bool isClosed = flight.State == FlightState.Perched && flight.GetComponent<PerchPilot>().Fold > 0.99f;
+                still[flight] = isClosed ? still.GetValueOrDefault(flight) + 1 : 0;
+                if (still[flight] != 10)
+                    continue;
+                seen++;
+                PerchMark own = marks.Single(mark => mark.Guest != null && mark.Guest.gameObject == flight.gameObject);
+                AssertSits(flight, own.transform, $"{flight.name} at {frame / 60f:0.0} s");
+                foreach (InsectFlight other in Sample.GetComponentsInChildren<InsectFlight>().Where(other => other != flight))
+                {
+                    Assert.That(Vector3.Distance(other.Position, own.transform.position), Is.GreaterThan(0.5f),
+                        $"{other.name} comes to the flower of {flight.name}");
+                }
+            }
+        }
+
+        Assert.That(seen, Is.GreaterThan(10));
     }
 
     [UnityTest]
@@ -175,6 +212,25 @@ public sealed class GardenSampleTests : SampleFixture<GardenSample>
         }
 
         Assert.That(brightest, dusk > 0f ? Is.GreaterThan(1f) : Is.Zero);
+    }
+
+    private static void AssertSits(InsectFlight flight, Transform flower, string who)
+    {
+        InsectWings insect = flight.GetComponent<InsectWings>();
+        MeshFilter[] wings = [.. insect.Wings.Select(wing => wing.Renderer.GetComponent<MeshFilter>())];
+        Vector3[] body = [.. insect.GetComponentsInChildren<MeshFilter>().Except(wings).SelectMany(mesh => Seen(mesh, flower))];
+        float lowest = body.Min(place => place.y);
+        Vector3[] ends = [.. wings.Select(mesh => Seen(mesh, flower).MaxBy(place => place.sqrMagnitude))];
+        float lowestWing = wings.SelectMany(mesh => Seen(mesh, flower)).Min(place => place.y);
+        Assert.That(lowest, Is.EqualTo(0f).Within(0.01f), $"{who}: its feet");
+        Assert.That(lowestWing, Is.GreaterThan(0.03f), $"{who}: its wings reach into the flower");
+        Assert.That(Vector3.Distance(ends[0], ends[1]), Is.LessThan(0.3f * ends[0].magnitude), $"{who}: its wings are open");
+    }
+
+    private static IEnumerable<Vector3> Seen(MeshFilter mesh, Transform from)
+    {
+        var shape = MeshShape.Of(mesh.sharedMesh, 0);
+        return shape.Places.Select(place => from.InverseTransformPoint(mesh.transform.TransformPoint(place)));
     }
 
     private IEnumerator Swim(int seconds)
