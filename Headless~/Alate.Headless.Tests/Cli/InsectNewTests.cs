@@ -7,6 +7,7 @@ using Alate.Catalogue;
 using Alate.Cli;
 using Alate.Editor.Tests;
 using NUnit.Framework;
+using UnityEngine;
 
 namespace Alate.Tests.Cli
 {
@@ -94,10 +95,28 @@ namespace Alate.Tests.Cli
             Assert.That((double)file["body"]["meshUnitMillimetres"], Is.EqualTo(10));
             Assert.That((double)Wing(file, 0)["lengthMillimetres"], Is.EqualTo(30));
             AssertPointsBack("fishfly");
+            AssertInPlace(InsectFile.Read(FilePath).Body.CreateSurface(1f), fishfly.Body.CreateSurface(1f));
             string flight = Path.Combine(m_Run.Folder, "flight");
             Assert.That(m_Run.Run("fly", FilePath, "--no-pictures", "--out", flight), Is.Zero, m_Run.Errors);
             var summary = JsonNode.Parse(File.ReadAllText(Path.Combine(flight, "summary.json")));
             Assert.That((double)summary["edge_stretch_max_pct"], Is.InRange(0.1, 10));
+        }
+
+        // Larger or smaller about the thorax, which stays where it is.
+        private static void AssertInPlace(SurfaceMesh read, SurfaceMesh given)
+        {
+            Bounds told = Box(read), own = Box(given);
+            float scale = told.size.z / own.size.z;
+            Assert.That(Vector3.Distance(told.center, scale * own.center), Is.LessThan(1e-4f * told.size.magnitude));
+            Assert.That(own.center.magnitude, Is.GreaterThan(0.01f * own.size.magnitude), "a body that lies about the thorax");
+        }
+
+        private static Bounds Box(SurfaceMesh surface)
+        {
+            var box = new Bounds(surface.positions[0], Vector3.zero);
+            foreach (Vector3 place in surface.positions)
+                box.Encapsulate(place);
+            return box;
         }
 
         private string Obj(string name, SurfaceMesh surface, string library)
