@@ -54,7 +54,7 @@ export class SceneStage {
       this.maps.get(number)?.dispose();
       this.maps.delete(number);
     });
-    this.light(state.light);
+    this.light(state.light, state.camera.target);
     this.state = state;
     this.look.answered(state.camera.look);
     this.isOld = this.isLit = true;
@@ -143,11 +143,11 @@ export class SceneStage {
   }
 
   // The lamps that are brightest at the point that the camera looks at.
-  light(light) {
-    const { shared } = this;
+  light(light, [x, y, z]) {
+    const { shared } = this, strength = ({ place, light: sent }) => Math.max(...sent) / Math.max((place[0] - x) ** 2 + (place[1] - y) ** 2 + (place[2] - z) ** 2, 1e-3);
     for (const name of ['sky', 'equator', 'ground', 'sunFrom', 'sun'])
       shared[name].value = light[name];
-    const lamps = light.lamps.slice(0, LAMPS);
+    const lamps = [...light.lamps].sort((a, b) => strength(b) - strength(a)).slice(0, LAMPS);
     shared.lamps.value.fill(0);
     shared.lampLights.value.fill(0);
     lamps.forEach(({ place, light: sent, range }, k) => {

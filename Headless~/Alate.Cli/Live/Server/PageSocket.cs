@@ -18,9 +18,55 @@ internal sealed class PageSocket(WebSocket socket) : IDisposable
 
     private static readonly TimeSpan s_Patience = TimeSpan.FromSeconds(20), s_Farewell = TimeSpan.FromSeconds(1);
 
-    /// <summary>Waits for a message of the page.</summary>
-    /// <returns>Its kind and content; null where the page says goodbye or says too much.</returns>
-    public async Task<(WebSocketMessageType Type, byte[] Content)?> Read(CancellationToken stop)
+    /// <summary>Sends to the page and takes what it says, until it leaves or breaks the rules, or the server stops.</summary>
+    /// <param name="send">Sends until its token ends.</param>
+    /// <param name="take">Takes a message, and says whether the page may go on; a <see cref="FormatException"/> says why not.</param>
+    /// <param name="stop">Stops both.</param>
+    public async Task Talk(
+        Func<CancellationToken, Task> send, Func<WebSocketMessageType, byte[], CancellationToken, Task<bool>> take, CancellationToken stop)
+    {
+        using var end = CancellationTokenSource.CreateLinkedTokenSource(stop);
+        Task receiving = Receive(take, end);
+        try
+        {
+            await send(end.Token);
+        }
+        catch (Exception problem) when (IsGone(problem))
+        {
+            // The page is gone, or the server stops.
+        }
+        finally
+        {
+            await end.CancelAsync();
+            await receiving;
+            await Close(WebSocketCloseStatus.NormalClosure, "The server stops.");
+        }
+    }
+
+    private async Task Receive(Func<WebSocketMessageType, byte[], CancellationToken, Task<bool>> take, CancellationTokenSource end)
+    {
+        try
+        {
+            while (await Read(end.Token) is (WebSocketMessageType type, byte[] content) && await take(type, content, end.Token))
+            {
+            }
+        }
+        catch (FormatException problem)
+        {
+            await Close(WebSocketCloseStatus.InvalidPayloadData, problem.Message);
+        }
+        catch (Exception problem) when (IsGone(problem))
+        {
+            // The page is gone, or the server stops.
+        }
+        finally
+        {
+            await end.CancelAsync();
+        }
+    }
+
+    // Null where the page says goodbye or says too much.
+    private async Task<(WebSocketMessageType Type, byte[] Content)?> Read(CancellationToken stop)
     {
         byte[] chunk = new byte[k_Chunk];
         using var content = new MemoryStream();
@@ -68,8 +114,8 @@ internal sealed class PageSocket(WebSocket socket) : IDisposable
         }
     }
 
-    /// <summary>True for what reading and sending throw once the page is gone, or the server stops.</summary>
-    public static bool IsGone(Exception problem) => problem is OperationCanceledException or WebSocketException or IOException;
+    // What reading and sending throw.
+    private static bool IsGone(Exception problem) => problem is OperationCanceledException or WebSocketException or IOException;
 
     public void Dispose() => socket.Dispose();
 

@@ -15,43 +15,30 @@ internal sealed class SampleSession(PageSocket socket, SimulationThread simulati
     private LiveSample m_Sample;
 
     /// <summary>Serves the page until it leaves, breaks the rules, or the server stops.</summary>
-    public async Task Run(CancellationToken stop)
-    {
-        using var end = CancellationTokenSource.CreateLinkedTokenSource(stop);
-        Task receiving = Receive(end);
-        try
-        {
-            m_Sample = await sample;
-            await socket.Send(m_Sample.Hello(), end.Token);
-            using var timer = new PeriodicTimer(TimeSpan.FromSeconds(1.0 / LiveSample.Rate));
-            for (int state = 0; await timer.WaitForNextTickAsync(end.Token); state++)
-            {
-                while (m_Requests.Reader.TryRead(out SampleRequest next))
-                    await Answer(next, end.Token);
-                if (m_Sample.IsAhead)
-                    continue;
-                await simulation.Do(() => m_Sample.Advance(m_State));
-                await socket.Send(m_State.Content, end.Token);
-                if (state % k_StatesPerPanel == 0 && await simulation.Do(m_Sample.ChangedPanel) is { } panel)
-                    await socket.Send(panel, end.Token);
-            }
-        }
-        catch (Exception problem) when (PageSocket.IsGone(problem))
-        {
-            // The page is gone, or the server stops.
-        }
-        finally
-        {
-            await end.CancelAsync();
-            await receiving;
-            await socket.Close(WebSocketCloseStatus.NormalClosure, "The server stops.");
-        }
-    }
+    public Task Run(CancellationToken stop) => socket.Talk(Send, Take, stop);
 
     public async ValueTask DisposeAsync()
     {
         if (m_Sample != null)
             await simulation.Do(m_Sample.Dispose);
+    }
+
+    private async Task Send(CancellationToken stop)
+    {
+        m_Sample = await sample;
+        await socket.Send(m_Sample.Hello(), stop);
+        using var timer = new PeriodicTimer(TimeSpan.FromSeconds(1.0 / LiveSample.Rate));
+        for (int state = 0; await timer.WaitForNextTickAsync(stop); state++)
+        {
+            while (m_Requests.Reader.TryRead(out SampleRequest next))
+                await Answer(next, stop);
+            if (m_Sample.IsAhead)
+                continue;
+            await simulation.Do(() => m_Sample.Advance(m_State));
+            await socket.Send(m_State.Content, stop);
+            if (state % k_StatesPerPanel == 0 && await simulation.Do(m_Sample.ChangedPanel) is { } panel)
+                await socket.Send(panel, stop);
+        }
     }
 
     private async Task Answer(SampleRequest request, CancellationToken stop)
@@ -79,28 +66,11 @@ internal sealed class SampleSession(PageSocket socket, SimulationThread simulati
         }
     }
 
-    private async Task Receive(CancellationTokenSource end)
+    private async Task<bool> Take(WebSocketMessageType type, byte[] content, CancellationToken stop)
     {
-        try
-        {
-            while (await socket.Read(end.Token) is (WebSocketMessageType type, byte[] content))
-            {
-                if (type == WebSocketMessageType.Binary)
-                    throw new FormatException("This page takes no files.");
-                await m_Requests.Writer.WriteAsync(SampleRequest.Read(content), end.Token);
-            }
-        }
-        catch (FormatException problem)
-        {
-            await socket.Close(WebSocketCloseStatus.InvalidPayloadData, problem.Message);
-        }
-        catch (Exception problem) when (PageSocket.IsGone(problem))
-        {
-            // The page is gone, or the server stops.
-        }
-        finally
-        {
-            await end.CancelAsync();
-        }
+        if (type == WebSocketMessageType.Binary)
+            throw new FormatException("This page takes no files.");
+        await m_Requests.Writer.WriteAsync(SampleRequest.Read(content), stop);
+        return true;
     }
 }

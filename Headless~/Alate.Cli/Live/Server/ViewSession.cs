@@ -17,42 +17,31 @@ internal sealed class ViewSession(PageSocket socket, SimulationThread simulation
         Channel.CreateBounded<(ViewRequest, List<DroppedFile>)>(k_Waiting);
     private readonly StateBuffer m_State = new();
     private SceneInsect m_Insect;
+    private ViewRequest m_Waiting;
+    private List<DroppedFile> m_Files = [];
 
     /// <summary>Serves the page until it leaves, breaks the rules, or the server stops.</summary>
-    public async Task Run(CancellationToken stop)
-    {
-        using var end = CancellationTokenSource.CreateLinkedTokenSource(stop);
-        Task receiving = Receive(end);
-        try
-        {
-            m_Insect = await insect;
-            await socket.Send(await simulation.Do(() => SceneMessage.Hello(m_Insect.Known, ViewSlider.All)), end.Token);
-            await socket.Send(m_Insect.Scene, end.Token);
-            using var timer = new PeriodicTimer(TimeSpan.FromSeconds(1.0 / SceneInsect.Rate));
-            while (await timer.WaitForNextTickAsync(end.Token))
-            {
-                while (m_Requests.Reader.TryRead(out (ViewRequest Request, List<DroppedFile> Files) next))
-                    await Answer(next.Request, next.Files, end.Token);
-                await simulation.Do(() => m_Insect.Advance(m_State));
-                await socket.Send(m_State.Content, end.Token);
-            }
-        }
-        catch (Exception problem) when (PageSocket.IsGone(problem))
-        {
-            // The page is gone, or the server stops.
-        }
-        finally
-        {
-            await end.CancelAsync();
-            await receiving;
-            await socket.Close(WebSocketCloseStatus.NormalClosure, "The server stops.");
-        }
-    }
+    public Task Run(CancellationToken stop) => socket.Talk(Send, Take, stop);
 
     public async ValueTask DisposeAsync()
     {
         if (m_Insect != null)
             await simulation.Do(m_Insect.Dispose);
+    }
+
+    private async Task Send(CancellationToken stop)
+    {
+        m_Insect = await insect;
+        await socket.Send(await simulation.Do(() => SceneMessage.Hello(m_Insect.Known, ViewSlider.All)), stop);
+        await socket.Send(m_Insect.Scene, stop);
+        using var timer = new PeriodicTimer(TimeSpan.FromSeconds(1.0 / SceneInsect.Rate));
+        while (await timer.WaitForNextTickAsync(stop))
+        {
+            while (m_Requests.Reader.TryRead(out (ViewRequest Request, List<DroppedFile> Files) next))
+                await Answer(next.Request, next.Files, stop);
+            await simulation.Do(() => m_Insect.Advance(m_State));
+            await socket.Send(m_State.Content, stop);
+        }
     }
 
     private async Task Answer(ViewRequest request, List<DroppedFile> files, CancellationToken stop)
@@ -61,7 +50,7 @@ internal sealed class ViewSession(PageSocket socket, SimulationThread simulation
         {
             if (files.Count > 0)
             {
-                await Take(files, stop);
+                await TakeFiles(files, stop);
             }
             else if (request.IsSave)
             {
@@ -80,7 +69,7 @@ internal sealed class ViewSession(PageSocket socket, SimulationThread simulation
     }
 
     // An insect file with what it names, or one wing.
-    private async Task Take(List<DroppedFile> files, CancellationToken stop)
+    private async Task TakeFiles(List<DroppedFile> files, CancellationToken stop)
     {
         if (DroppedInsect.Find(files) is { } insect)
         {
@@ -99,50 +88,34 @@ internal sealed class ViewSession(PageSocket socket, SimulationThread simulation
         await socket.Send(m_Insect.Scene, stop);
     }
 
-    private async Task Receive(CancellationTokenSource end)
+    // Files come behind the message that names them.
+    private async Task<bool> Take(WebSocketMessageType type, byte[] content, CancellationToken stop)
     {
-        try
+        if (type == WebSocketMessageType.Text)
         {
-            ViewRequest waiting = null;
-            var files = new List<DroppedFile>();
-            while (await socket.Read(end.Token) is (WebSocketMessageType type, byte[] content))
-            {
-                if (type == WebSocketMessageType.Binary)
-                {
-                    if (waiting == null)
-                        throw new FormatException("A file comes behind a message that names it.");
-                    files.Add(new DroppedFile(waiting.Files[files.Count], content));
-                    if (files.Sum(file => (long)file.Content.Length) > LongestFiles)
-                    {
-                        await socket.Close(WebSocketCloseStatus.MessageTooBig, $"At most {LongestFiles} bytes of files.");
-                        return;
-                    }
+            var request = ViewRequest.Read(content);
+            if (request.Files.Count > 0)
+                (m_Waiting, m_Files) = (request, []);
+            else
+                await m_Requests.Writer.WriteAsync((request, []), stop);
+            return true;
+        }
 
-                    if (files.Count < waiting.Files.Count)
-                        continue;
-                    await m_Requests.Writer.WriteAsync((waiting, files), end.Token);
-                    (waiting, files) = (null, []);
-                    continue;
-                }
+        if (m_Waiting == null)
+            throw new FormatException("A file comes behind a message that names it.");
+        m_Files.Add(new DroppedFile(m_Waiting.Files[m_Files.Count], content));
+        if (m_Files.Sum(file => (long)file.Content.Length) > LongestFiles)
+        {
+            await socket.Close(WebSocketCloseStatus.MessageTooBig, $"At most {LongestFiles} bytes of files.");
+            return false;
+        }
 
-                var request = ViewRequest.Read(content);
-                if (request.Files.Count > 0)
-                    (waiting, files) = (request, []);
-                else
-                    await m_Requests.Writer.WriteAsync((request, []), end.Token);
-            }
-        }
-        catch (FormatException problem)
+        if (m_Files.Count == m_Waiting.Files.Count)
         {
-            await socket.Close(WebSocketCloseStatus.InvalidPayloadData, problem.Message);
+            await m_Requests.Writer.WriteAsync((m_Waiting, m_Files), stop);
+            (m_Waiting, m_Files) = (null, []);
         }
-        catch (Exception problem) when (PageSocket.IsGone(problem))
-        {
-            // The page is gone, or the server stops.
-        }
-        finally
-        {
-            await end.CancelAsync();
-        }
+
+        return true;
     }
 }
