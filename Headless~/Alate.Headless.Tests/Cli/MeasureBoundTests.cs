@@ -54,7 +54,7 @@ namespace Alate.Tests.Cli
         [Test]
         public void WingsThatShowNumbers_HaveNoShadows()
         {
-            Color32[] Painted(PhotoScene scene) => [.. new[] { 0.0, 0.25, 0.5, 0.75 }.Select(turns => scene.PoseAt(turns))
+            Color32[] Painted(PhotoScene scene) => [.. new[] { 0.0, 0.25 }.Select(turns => scene.PoseAt(turns))
                 .SelectMany(pose => scene.Draw(pose, StripPanel.Around(pose, 240f, 4f), 1f))];
 
             Color32[] own = Painted(FlightPhoto.Scene(MonarchFlight.Level)),

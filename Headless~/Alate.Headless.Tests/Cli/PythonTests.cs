@@ -19,6 +19,8 @@ public sealed class PythonTests
     private static string Folder => Path.Combine(PackageRoot.Find(), "Documentation~", "python");
 
     [Test]
+    [Explicit]
+    [Category("Long")]
     public void WhatIsRead_IsWhatTheFilesHold()
     {
         using var run = new CommandRun();

@@ -42,6 +42,8 @@ public sealed class ReportRowLaws
             done => DragonflyVariants.Flights(new Fineness(16, 32), done), 0.05, 0.03);
 
     [Test]
+    [Explicit]
+    [Category("Long")]
     public void VariantsOfATetheredDragonfly_AreThoseOfTheReport() =>
         Compare(row => (!Best(row) && Begins(row, "tethered dragonfly")) || Begins(row, "tethered dragonfly in still air")
             || Begins(row, "hovering dragonfly"), 5, done => DragonflyVariants.Tethered(new Fineness(24, 48), done), 0.05, 0.03);
@@ -78,6 +80,8 @@ public sealed class ReportRowLaws
             done => StructureRows.Droops(new Fineness(12, 24), done), 0.005, 0.001);
 
     [Test]
+    [Explicit]
+    [Category("Long")]
     public void StripsThatMove_AreThoseOfTheReport() =>
         Compare(row => Text(row, "table") == "strips" && !Text(row, "record").Contains("under a weight of"), 1,
             done => StructureRows.Motions(new Fineness(48, 96), done), 0.08, 1.5);

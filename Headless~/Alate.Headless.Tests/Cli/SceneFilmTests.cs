@@ -47,8 +47,9 @@ namespace Alate.Tests.Cli
             Assert.That(frame.Pixels.Count(pixel => !pixel.Equals(frame.Pixels[0])), Is.GreaterThan(frame.Pixels.Length / 50));
         }
 
-        [Test]
-        public void TheSameScene_IsTheSameFilm()
+        [TestCase("monarch")]
+        [TestCase("garden", "--set", "Butterflies=2", Explicit = true, Category = "Long")]
+        public void TheSameScene_IsTheSameFilm(string scene, params string[] settings)
         {
             byte[] first = Animation(), again = Animation();
 
@@ -56,13 +57,15 @@ namespace Alate.Tests.Cli
 
             byte[] Animation()
             {
-                Film("garden", "--seconds", "0.3", "--rate", "10", "--set", "Butterflies=2");
+                Film(scene, ["--seconds", "0.3", "--rate", "10", .. settings]);
                 return File.ReadAllBytes(Path.Combine(m_Run.Out, "film.png"));
             }
         }
 
         // The shader's constants are not the painter's: dusk is dark, and its slider is moved by the name of its label.
         [Test]
+        [Explicit]
+        [Category("Long")]
         public void ASliderOfThePanel_IsMoved()
         {
             PngFile[] day = Film("garden", "--seconds", "0.1", "--rate", "10", "--set", "Dusk=0"),

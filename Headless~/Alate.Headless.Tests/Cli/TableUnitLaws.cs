@@ -81,6 +81,8 @@ public sealed class TableUnitLaws
     }
 
     [Test]
+    [Explicit]
+    [Category("Long")]
     public void RowsOfASweep_AreThoseOfFlightsWithItsValues()
     {
         var flight = new FlightPlan { Species = "monarch", Substeps = 12 };

@@ -120,6 +120,8 @@ public sealed class ValidationLaws
 
     // Half of a last digit of one number alone moves the lift by less than the band; the band of finer digits is narrower.
     [Test]
+    [Explicit]
+    [Category("Long")]
     public void LastDigits_LeaveABandThatHoldsEachOfThem()
     {
         MeasuredDragonfly flight = MeasuredDragonfly.Flights[1];

@@ -111,7 +111,7 @@ public sealed class ShadowLaws
                 other = new ShadowMap([moved, null], math.rotate(turn, towards), k_Softness, 0.01f)
                     .At(1, scene.Way + math.rotate(turn, scene.Place));
             return one is >= 0.3f - 1e-4f and <= 1f && math.abs(one - other) < 0.08f;
-        }).Check(FixedRuns.Of());
+        }).Check(FixedRuns.Of(40));
     }
 
     // Half of what a plate above takes away of the sky is light from all around.

@@ -33,6 +33,8 @@ namespace Alate.Tests.FreeFlights
             Fly(species, dt);
 
         [Test]
+        [Explicit]
+        [Category("Long")]
         public void WithAPositionLoop_AMinuteOfHovering_StaysWithinAMetre() => Hover("monarch");
 
         [Test, Explicit, Category("Long")]

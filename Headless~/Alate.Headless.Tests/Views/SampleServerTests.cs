@@ -15,8 +15,11 @@ public sealed class SampleServerTests
     private ViewServer m_Server;
 
     [SetUp]
-    public void Start() => m_Server =
-        ViewServer.Start(new SampleView(SampleScene.Find("monarch")), 0, ThreeSource.Public).GetAwaiter().GetResult();
+    public void Start()
+    {
+        var view = new SampleView(SampleScene.Find("monarch")) { Patience = TimeSpan.FromSeconds(1) };
+        m_Server = ViewServer.Start(view, 0, ThreeSource.Public).GetAwaiter().GetResult();
+    }
 
     [TearDown]
     public void Stop()

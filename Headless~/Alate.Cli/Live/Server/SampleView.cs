@@ -8,13 +8,13 @@ namespace Alate.Cli;
 /// <param name="scene">Sample that the page shows first.</param>
 internal sealed class SampleView(SampleScene scene) : IServedView
 {
-    /// <summary>Time that a page waits for another one to leave: one that is loaded again waits for itself.</summary>
-    private static readonly TimeSpan s_Patience = TimeSpan.FromSeconds(3);
-
     private readonly SemaphoreSlim m_Place = new(1);
     private SimulationThread m_Simulation;
     private CancellationToken m_Stop;
     private Task<LiveSample> m_First;
+
+    /// <summary>Time that a page waits for another one to leave: one that is loaded again waits for itself.</summary>
+    public TimeSpan Patience { get; init; } = TimeSpan.FromSeconds(3);
 
     public PageKind Kind => PageKind.Scene;
 
@@ -26,7 +26,7 @@ internal sealed class SampleView(SampleScene scene) : IServedView
 
     public async Task Serve(PageSocket socket, CancellationToken stop)
     {
-        if (!await m_Place.WaitAsync(s_Patience, stop))
+        if (!await m_Place.WaitAsync(Patience, stop))
         {
             await socket.Close(WebSocketCloseStatus.PolicyViolation, "The scene plays on another page; close that one first.");
             return;
