@@ -76,7 +76,7 @@ namespace Alate
         /// </summary>
         public float StartPhase
         {
-            get => m_StartPhase;
+            get => NumberRange.Clamp(m_StartPhase, k_LeastPhase, k_MostPhase, 0f);
             set => m_StartPhase = NumberRange.Clamp(value, k_LeastPhase, k_MostPhase, 0f);
         }
 

@@ -52,6 +52,29 @@ public sealed class DetailBudgetTests
         Assert.That(crowd.Switches, Is.LessThan(0.01 * k_Insects * k_Watch / 60), "one insect of a hundred a second");
     }
 
+    // One that comes nearer than the nearest of the last frame is not made larger than it is.
+    [Test]
+    public void TheNearest_CountsAsLargeAsItIs_AndOthersAsSmaller([Values(0.3f, 0.5f, 0.9f)] float nearest)
+    {
+        var budget = new DetailBudget();
+        for (int frame = 0; frame < 200; frame++)
+        {
+            budget.Counted(0.3f);
+            budget.Spend(5f);
+            budget.EndFrame(1f);
+        }
+
+        Assert.That(budget.IsTight);
+        Assert.That(budget.Counted(nearest), Is.EqualTo(nearest));
+        Assert.That(budget.Counted(0.1f), Is.LessThan(0.09f));
+        float last = 0f;
+        for (float height = 0.01f; height < 1f; height += 0.01f)
+        {
+            Assert.That(budget.Counted(height), Is.GreaterThan(last).And.LessThanOrEqualTo(height), "larger ones count as larger");
+            last = budget.Counted(height);
+        }
+    }
+
     [TestCase(-1f)]
     [TestCase(float.NaN)]
     [TestCase(float.PositiveInfinity)]

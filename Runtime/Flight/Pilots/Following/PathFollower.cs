@@ -20,6 +20,9 @@ namespace Alate.Flight
         /// <summary>Slowest flight round a corner, m/s.</summary>
         private const float k_CornerSpeed = 0.2f;
 
+        /// <summary>Cosine of the sharpest turn that counts: half of a turn straight back has no tangent.</summary>
+        private const float k_SharpestTurn = -0.995f;
+
         private int m_Stretch = -1;
 
         /// <summary>The point that the insect flies to, counted from 0.</summary>
@@ -110,9 +113,8 @@ namespace Alate.Flight
         // 2), and is flown at √(a r).
         private static void Corner(in FlightLimits limits, float3 before, float3 after, float speed, out float corner, out float lead)
         {
-            float half = 0.5f * Elementary.Acos(math.clamp(math.dot(before, after), -1f, 1f));
-            float cos = math.max(Elementary.Cos(half), 0.05f);
-            float radius = k_CornerCut / math.max(1f / cos - 1f, 1e-4f);
+            float half = 0.5f * Elementary.Acos(math.clamp(math.dot(before, after), k_SharpestTurn, 1f));
+            float radius = k_CornerCut / math.max(1f / Elementary.Cos(half) - 1f, 1e-4f);
             corner = math.clamp(math.sqrt(limits.Acceleration * radius), k_CornerSpeed, math.max(speed, k_CornerSpeed));
             lead = math.min(
                 corner * corner / limits.Acceleration * math.min(Elementary.Tan(half), 2f) + 0.2f * corner * Elementary.Sin(half),

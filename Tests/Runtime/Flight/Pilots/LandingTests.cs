@@ -208,6 +208,26 @@ namespace Alate.Tests.Flight
         }
 
         [Test]
+        public void ASpotWithoutAHeading_GetsThatOfTheInsect_AndOneWithIt_KeepsIt([Values(float.NaN, 0.3f)] float wanted)
+        {
+            var spot = new PerchSpot { normal = new float3(0f, 1f, 0f), heading = wanted };
+            var flyer = new PointFlyer();
+            flyer.situation.position = new float3(2f, 3f, -9f);
+            flyer.situation.heading = -1.1f;
+            var landing = new Landing(spot, k_Stand);
+            FlightCommand command = landing.Next(flyer.situation);
+            for (int step = 0; step < 2000 && command.wish != FlightWish.Perch; step++)
+            {
+                flyer.Fly(command);
+                command = landing.Next(flyer.situation);
+            }
+
+            Assert.That(command.wish, Is.EqualTo(FlightWish.Perch));
+            Assert.That(command.spot.heading, Is.EqualTo(float.IsNaN(wanted) ? flyer.situation.heading : wanted));
+            Assert.That(landing.Spot.heading, Is.EqualTo(command.spot.heading));
+        }
+
+        [Test]
         public void FromFarAway_ItComesAtSeventyHundredthsOfItsTopSpeed()
         {
             var spot = new PerchSpot { normal = new float3(0f, 1f, 0f), heading = 0f };

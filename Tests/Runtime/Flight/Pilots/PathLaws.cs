@@ -50,6 +50,22 @@ namespace Alate.Tests.Flight
             Assert.That(velocity.z, Is.EqualTo(-0.2f).Within(0.01f));
         }
 
+        // Half of the turn is a right angle, whose cosine is a little below nothing.
+        [Test]
+        public void AWayStraightBack_IsFlownAsSlowlyAsACorner([Values(0.05f, 0.2f)] float left)
+        {
+            Vector3[] points = { Vector3.zero, new Vector3(0f, 0f, 4f), Vector3.zero };
+            var limits = new FlightLimits(1.3f, -0.3f, 0.3f, k_Acceleration);
+            var follower = new PathFollower();
+            follower.Along(At(default, 1f), points, false, k_Speed);
+            float lead = 0.2f * 0.2f / k_Acceleration * 2f + 0.2f * 0.2f;
+            float3 before = follower.Along(At(new float3(0f, 0f, 4f - lead - left), 1f), points, false, k_Speed);
+            Assert.That(follower.Next, Is.EqualTo(1));
+            Assert.That(before.z, Is.EqualTo(math.sqrt(0.2f * 0.2f + limits.Acceleration * left)).Within(1e-3f));
+            Assert.That(follower.Along(At(new float3(0f, 0f, 4f - 0.5f * lead), 1f), points, false, k_Speed).z,
+                Is.EqualTo(-0.2f).Within(1e-3f));
+        }
+
         [Test]
         public void AtTheEnd_TheInsectIsAsSlowAsItCanStop([Values(0.02f, 0.2f, 0.6f, 2f)] float left)
         {

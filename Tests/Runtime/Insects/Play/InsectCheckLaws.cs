@@ -44,7 +44,8 @@ namespace Alate.Tests.Play
                 made.Wings.ForEach(wing => Object.DestroyImmediate(wing.Renderer.gameObject));
                 made.Wings.Clear();
             });
-            Assert.That(InsectCheck.Find(insect).State, Is.EqualTo(InsectState.NoWings));
+            InsectProblem none = InsectCheck.Find(insect);
+            Assert.That((none.State, none.Wing), Is.EqualTo((InsectState.NoWings, -1)), "no wing is named");
             Skin(insect, "fur");
             if (hasWings)
                 Skin(insect, "wings");

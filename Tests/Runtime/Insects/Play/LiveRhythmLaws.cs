@@ -1,4 +1,5 @@
 using System.Collections;
+using System.Collections.Generic;
 using System.Linq;
 using NUnit.Framework;
 using Unity.Mathematics;
@@ -112,6 +113,26 @@ namespace Alate.Tests.Play
                 Assert.That(insect.Live.meshes.Sum(mesh => mesh.wings.Length), Is.EqualTo(wings + 1));
                 Assert.That(insect.Live.meshes.Select(mesh => mesh.renderer), Is.Unique);
             }
+        }
+
+        // What is no wing stays where the mesh has it: its vertices have no joint.
+        [UnityTest]
+        public IEnumerator OnlyVerticesOfWings_HaveJoints()
+        {
+            Mesh both = Keep(Both());
+            InsectWings insect = Hatch(made =>
+            {
+                made.Wings[0].Renderer.GetComponent<MeshFilter>().sharedMesh = both;
+                made.Wings[0].Part = WingPart.Submesh;
+                made.Wings[0].Skeleton = null;
+            });
+            yield return Frames(3);
+            MeshTemplate template = insect.Live.meshes.Find(mesh => mesh.wings.Contains(insect.Live.wings[0])).template;
+            var joints = new List<Vector4>();
+            template.Skinned.GetUVs(SkinnedMesh.Channel, joints);
+
+            Assert.That(template.Skinned.GetTriangles(0).Select(vertex => joints[vertex].x), Is.All.InRange(0f, template.JointCount - 1f));
+            Assert.That(template.Skinned.GetTriangles(1).Select(vertex => joints[vertex].x), Is.All.Negative);
         }
 
         private static Mesh Both()

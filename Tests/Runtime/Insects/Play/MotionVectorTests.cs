@@ -142,6 +142,37 @@ namespace Alate.Tests.Play
             Assert.That(renderer.motionVectorGenerationMode, Is.EqualTo(MotionVectorGenerationMode.Camera));
         }
 
+        // A renderer that a script destroyed has no mode to get back.
+        [UnityTest]
+        public IEnumerator AnInsectWhoseRendererIsGone_EndsWithoutAnError()
+        {
+            InsectWings insect = Hatch(made => made.Quality.motionVectors = true);
+            yield return Frames(3);
+
+            Object.DestroyImmediate(insect.Wings[0].Renderer);
+            insect.enabled = false;
+            yield return Frames(2);
+            Assert.That(insect.Live, Is.Null.Or.Property("meshes").Empty);
+        }
+
+        // Colours alone are one word a vertex beside positions and normals; the ways have a stream of their own.
+        [UnityTest]
+        public IEnumerator ColoursAlone_StayWhatTheyAre()
+        {
+            Mesh mesh = Keep(TestWings.ToMesh(TestWings.Ellipse()));
+            mesh.uv = null;
+            mesh.colors32 = System.Array.ConvertAll(mesh.vertices, place => new Color32((byte)(1 + 90f * Mathf.Abs(place.x)), 20, 3, 255));
+            InsectWings insect = Hatch(made =>
+            {
+                made.Quality.motionVectors = true;
+                Filter(made, 0).sharedMesh = mesh;
+            });
+            yield return Frames(5);
+
+            Assert.That(Shown(insect, 0).colors32, Is.EquivalentTo(mesh.colors32));
+            Assert.That(Longest(insect), Is.InRange(1e-3f, 1f));
+        }
+
         [UnityTest]
         public IEnumerator CoordinatesOfTheMesh_InTheirPlace_GoAway_AndOthersStay()
         {

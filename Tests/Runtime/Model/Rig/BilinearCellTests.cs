@@ -29,6 +29,30 @@ namespace Alate.Tests
             Assert.That(u, Is.EqualTo(expected).Within(1e-6));
         }
 
+        // Of a cell along the axes it is the distance itself: nothing within, straight beside, and of corners that of the corner.
+        [Test]
+        public void TheLeastDistance_IsThatOfTheRectangleAroundTheCell()
+        {
+            BilinearCell cell = Cell(0, 0, 2, 0, 0, -1, 2, -1);
+            foreach ((double x, double z, double distance) in new[]
+            {
+                (1.0, -0.5, 0.0), (2.0, -1.0, 0.0), (-3.0, -0.5, 3.0), (5.0, -0.5, 3.0), (1.0, 4.0, 4.0), (1.0, -5.0, 4.0), (5.0, 4.0, 5.0),
+                (-3.0, -5.0, 5.0),
+            })
+            {
+                Assert.That(Math.Sqrt(cell.LeastDistanceSquared(new PlanPoint(x, z))), Is.EqualTo(distance).Within(1e-12), $"{x}, {z}");
+            }
+
+            foreach (BilinearCell other in s_Cells)
+            {
+                for (int k = 0; k < 60; k++)
+                {
+                    var place = new PlanPoint(3.0 * Math.Sin(1.7 * k), 3.0 * Math.Cos(2.9 * k));
+                    Assert.That(other.LeastDistanceSquared(place), Is.LessThanOrEqualTo(other.Locate(place, out _, out _) + 1e-12));
+                }
+            }
+        }
+
         [TestCaseSource(nameof(s_Cells))]
         public void EveryPointWithin_IsFoundAgain(object boxed)
         {

@@ -105,6 +105,31 @@ namespace Alate.Tests
             Assert.That(most > 1f ? found * Mathf.Rad2Deg : found, Is.EqualTo(most).Within(1e-4f));
         }
 
+        // As one that was resumed after the leader's time: at its phase, unbent.
+        [Test]
+        public void AWingThatFollowsAnother_IsInTheDrivenPoseOfItsPhase()
+        {
+            WingRig rig = Monarch.Rig(16);
+            using (var world = new WingWorld())
+            {
+                WingHandle leader = world.Add(rig, Monarch.Parameters);
+                for (int step = 0; step < 9; step++)
+                    world.Step(0.01f);
+                WingHandle follower = world.Add(rig, Monarch.Parameters), resumed = world.Add(rig, Monarch.Parameters);
+                float3 before = world.Read(follower).JointPosition(2, 4);
+                world.Follow(follower, leader);
+                world.Resume(resumed, 0.09f);
+
+                WingReading followed = world.Read(follower), alone = world.Read(resumed);
+                Assert.That(followed.Phase, Is.EqualTo(world.Read(leader).Phase).Within(1e-5f));
+                Assert.That(math.distance(followed.JointPosition(2, 4), alone.JointPosition(2, 4)), Is.LessThan(1e-3f));
+                Assert.That(math.distance(followed.JointPosition(2, 4), before), Is.GreaterThan(0.02f));
+                Assert.That(math.distance(followed.JointPosition(2, 4), world.Read(leader).JointPosition(2, 4)), Is.GreaterThan(1e-3f));
+            }
+
+            rig.Release();
+        }
+
         private static (int Substeps, float3 Within, float3 End, Bounds Bounds) Read(WingWorld world, WingHandle wing)
         {
             WingReading reading = world.Read(wing);
