@@ -188,6 +188,43 @@ namespace Alate.Editor.Tests
             Assert.That(SkeletonJson.Write(WingTracer.Trace(picture, WingTracingSettings.Default).Skeleton), Is.EqualTo(one));
         }
 
+        // A line within a hundredth of the longer side from the border is no wing around the wing.
+        [TestCase(600, 150)]
+        [TestCase(150, 600)]
+        public void AFrameOfALongPicture_IsIgnored(int width, int height)
+        {
+            var picture = new DrawnPicture(width, height, new Color32(255, 255, 255, 255));
+            Vector2[] ellipse = Array.ConvertAll(new int[60], _ => Vector2.zero);
+            for (int k = 0; k < ellipse.Length; k++)
+            {
+                float turn = 2f * Mathf.PI * k / ellipse.Length;
+                ellipse[k] = new Vector2(0.5f * width + 0.36f * width * Mathf.Cos(turn), 0.5f * height + 0.36f * height * Mathf.Sin(turn));
+            }
+
+            picture.Fill(ellipse, new Color32(0, 0, 0, 255));
+            WingTracingSettings settings = WingTracingSettings.Default;
+            settings.hinge = ellipse[width > height ? 30 : 45];
+            settings.forward = width > height ? new Vector2(0f, -1f) : new Vector2(1f, 0f);
+            WingTrace plain = WingTracer.Trace(picture.ToPicture(), settings);
+            foreach (Rect side in new[]
+            {
+                new Rect(4f, 4f, width - 8f, 2f), new Rect(4f, height - 6f, width - 8f, 2f), new Rect(4f, 4f, 2f, height - 8f),
+                new Rect(width - 6f, 4f, 2f, height - 8f),
+            })
+            {
+                picture.Fill(new[] { side.min, new Vector2(side.xMax, side.yMin), side.max, new Vector2(side.xMin, side.yMax) },
+                    new Color32(0, 0, 0, 255));
+            }
+
+            WingTrace framed = WingTracer.Trace(picture.ToPicture(), settings);
+            Assert.That(framed.Surface.positions.Length, Is.EqualTo(plain.Surface.positions.Length).Within(20).Percent);
+            for (int joint = 0; joint < 5; joint++)
+            {
+                Assert.That(Vector3.Distance(framed.Skeleton.GetJoint(2, joint), plain.Skeleton.GetJoint(2, joint)),
+                    Is.LessThan(0.02f * plain.Skeleton.GetJoint(2, 4).magnitude));
+            }
+        }
+
         private static WingTrace Trace(DrawnWing wing, bool isLeft = false, float degrees = 0f)
         {
             WingPlace place = wing.In((int)k_Side, degrees, isLeft);

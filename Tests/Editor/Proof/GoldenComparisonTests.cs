@@ -54,6 +54,17 @@ namespace Alate.Editor.Tests
         }
 
         [Test]
+        public void TheFirstPlaceOfATrack_CountsAsAnyOther()
+        {
+            List<GoldenTrack> computed = Tracks();
+            computed[0].Values[0] += 0.5f * k_Allowed;
+            ProofLine line = GoldenComparison.Lines(Tracks(), computed)[0];
+
+            Assert.That(line.measured, Is.Not.EqualTo("equal to the last bit"));
+            Assert.That(line.note, Does.StartWith("worst: root, 25 % of the time"));
+        }
+
+        [Test]
         public void ADistance_IsThatInSpace()
         {
             List<GoldenTrack> computed = Tracks();

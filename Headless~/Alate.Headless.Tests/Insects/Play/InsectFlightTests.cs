@@ -30,6 +30,19 @@ namespace Alate.Tests.Play
         }
 
         [UnityTest]
+        public IEnumerator AnInsectThatFlies_BeginsItsBeatAtTheStartPhase([Values(0f, 90f, 270f)] float degrees)
+        {
+            InsectFlight flight = Hatch();
+            InsectWings wings = flight.GetComponent<InsectWings>();
+            wings.StartPhase = degrees;
+            yield return new WaitUntil(() => wings.Frequency > 0f);
+
+            Assert.That(flight.State, Is.EqualTo(FlightState.Flying));
+            float most = 360f * wings.Frequency * 1.5f * Time.fixedDeltaTime;
+            Assert.That(Mathf.Repeat(wings.Phase - degrees, 360f), Is.LessThanOrEqualTo(most));
+        }
+
+        [UnityTest]
         public IEnumerator AWantedHeading_ComesBack_AndIsKeptInDegrees()
         {
             InsectFlight flight = Hatch();

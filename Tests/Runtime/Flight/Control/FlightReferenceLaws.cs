@@ -154,6 +154,30 @@ namespace Alate.Tests.Flight
             Assert.That(reference.Velocity.y - updraft, Is.EqualTo(wanted > 0f ? 0.2f : -0.3f).Within(1e-3f));
         }
 
+        // The table closes for fewer climbs where the insect is fast: between two speeds for the share of each.
+        [TestCase(0f)]
+        [TestCase(0.65f)]
+        [TestCase(1.3f)]
+        public void AFastInsect_ClimbsAndSinksOnlyAsFarAsItsTableClosesThere(float speed)
+        {
+            using (var table = new TrimTable(new[] { 0f, k_Top }, new[] { -0.3f, 0f, 0.2f }))
+            {
+                for (int point = 0; point < 4; point++)
+                    table.Set(point / 3, point % 3, new float[TrimPoint.Floats]);
+                table.Open(1, 0);
+                table.Set(1, 1, new float[TrimPoint.Floats]);
+                table.Fill();
+                foreach (float wanted in new[] { -9f, 9f })
+                {
+                    FlightReference reference = Ahead(speed);
+                    for (int step = 0; step < 900; step++)
+                        reference.Step(new float3(0f, wanted, speed), 0f, default, default, table, false, k_Step);
+                    float share = 1f - speed / k_Top;
+                    Assert.That(reference.Velocity.y, Is.InRange(-0.3f * share - 1e-3f, 0.2f * share + 1e-3f));
+                }
+            }
+        }
+
         // Allowed errors: up to 0.15 m/s none of the error is taken over, beyond it what is more, at 6 per second, along the heading's
         // axes.
         [TestCase(0.1f)]

@@ -66,6 +66,25 @@ namespace Alate.Tests.Flight
                 Is.EqualTo(-0.2f).Within(1e-3f));
         }
 
+        // However slowly it brakes, it turns no earlier than it needs to stop, and 0.3 m.
+        [Test]
+        public void OneThatBrakesSlowly_GoesIntoACornerNoEarlierThanItNeeds([Values(0.05f, 0.1f)] float acceleration)
+        {
+            Vector3[] points = { Vector3.zero, new Vector3(0f, 0f, 4f), new Vector3(0.01f, 0f, 0f) };
+            var limits = new FlightLimits(1.3f, -0.3f, 0.3f, acceleration);
+            float lead = limits.StoppingDistance(0.2f) + 0.3f;
+            foreach (float beyond in new[] { -0.01f, 0.01f })
+            {
+                var follower = new PathFollower();
+                FlightSituation begin = At(default, 1f), there = At(new float3(0f, 0f, 4f - lead + beyond), 1f);
+                begin.limits = there.limits = limits;
+                follower.Along(begin, points, false, k_Speed);
+                follower.Along(there, points, false, k_Speed);
+                follower.Along(there, points, false, k_Speed);
+                Assert.That(follower.Next, Is.EqualTo(beyond < 0f ? 1 : 2));
+            }
+        }
+
         [Test]
         public void AtTheEnd_TheInsectIsAsSlowAsItCanStop([Values(0.02f, 0.2f, 0.6f, 2f)] float left)
         {

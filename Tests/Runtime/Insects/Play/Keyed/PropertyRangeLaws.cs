@@ -47,6 +47,15 @@ namespace Alate.Tests.Play
                     middle = Mathf.Round(middle);
                 field.SetValue(component, Convert.ChangeType(middle, field.FieldType));
                 Assert.That(Read(property, component), Is.EqualTo(middle), $"{field.Name} within its range");
+                if (property.PropertyType != typeof(float))
+                    continue;
+
+                // Set or written, what is no number reads the same.
+                bool isTaken = TrySet(property, component, float.NaN, out float none);
+                Assert.That(isTaken && float.IsNaN(none) || Is.InRange(low, high).ApplyTo(isTaken ? none : low).IsSuccess, property.Name);
+                field.SetValue(component, float.NaN);
+                Assert.That(Read(property, component), isTaken ? Is.EqualTo(none) : Is.InRange(low, high), $"{field.Name} is no number");
+                field.SetValue(component, middle);
             }
 
             Assert.That(tried, Is.Positive);
