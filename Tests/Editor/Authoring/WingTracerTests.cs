@@ -167,6 +167,24 @@ namespace Alate.Editor.Tests
             Assert.That(trace.Warnings, Has.Some.Contains("edge"));
         }
 
+        // Cut by one side of the picture, or round a corner: the mean of the pixels there.
+        [TestCase(0f, 60f, 0.5f, 81f)]
+        [TestCase(0f, 120f, 0.5f, 141f)]
+        [TestCase(-170f, 60f, 199.5f, 81f)]
+        public void AHingeAtTheCut_IsTheMiddleOfIt(float right, float up, float x, float y)
+        {
+            var picture = new DrawnPicture(200, 200, new Color32(255, 255, 255, 255));
+            float from = right < 0f ? 60f : -20f, to = right < 0f ? 220f : 140f;
+            picture.Fill(new[] { new Vector2(from, up), new Vector2(to, up), new Vector2(to, up + 42f), new Vector2(from, up + 42f) },
+                new Color32(0, 0, 0, 255));
+
+            WingTrace trace = WingTracer.Trace(picture.ToPicture(), WingTracingSettings.Default);
+
+            Vector2 hinge = trace.Placement.ToPicture(trace.Skeleton.Hinge);
+            Assert.That(hinge.x, Is.EqualTo(x).Within(0.3f));
+            Assert.That(hinge.y, Is.EqualTo(y).Within(0.3f));
+        }
+
         [Test]
         public void MeshAndSkeleton_MakeARig()
         {

@@ -26,6 +26,25 @@ namespace Alate.Tests
                 spread, Is.EqualTo(0.9915 / Math.Sqrt(2.0 * bend * sharpness)).Within(1e-3 / Math.Sqrt(2.0 * bend * sharpness) * 3.0));
         }
 
+        // Touching ends have nothing in common.
+        [Test]
+        public void Stretches_OverlapWhereTheyHaveAPlaceInCommon()
+        {
+            var random = Random.CreateFromIndex(5);
+            for (int k = 0; k < 300; k++)
+            {
+                var ends = new int4(random.NextInt(0, 7), random.NextInt(0, 7), random.NextInt(0, 7), random.NextInt(0, 7));
+                var one = new OutlineStretch(math.min(ends.x, ends.y), math.max(ends.x, ends.y));
+                var other = new OutlineStretch(math.min(ends.z, ends.w), math.max(ends.z, ends.w));
+                bool isShared = false;
+                for (double place = 0.25; place < 6.0; place += 0.5)
+                    isShared |= one.Contains(place) && other.Contains(place);
+                if (one.Length > 0.0 && other.Length > 0.0)
+                    Assert.That((one.Overlaps(other), other.Overlaps(one)), Is.EqualTo((isShared, isShared)), $"{ends}");
+                Assert.That(one.Length, Is.EqualTo(math.abs(ends.x - ends.y)));
+            }
+        }
+
         [Test]
         public void ATopAtEitherEnd_IsFound_AndTheWeightsFallAsTheExponential()
         {

@@ -36,6 +36,18 @@ namespace Alate.Tests.Sound
             Assert.That(read.Take(4), Is.EqualTo(new[] { 3f * unit, 2f * unit, 0f, 4f * unit }).Within(0.01f));
         }
 
+        // What counts as steady depends on the size of the force: a louder one has the same sound.
+        [Test]
+        public void Overtones_AreTheSame_WhateverTheUnitOfTheForce([Values(1e-6f, 1e-3f, 1e4f)] float unit)
+        {
+            float3 Force(float phase) => new float3(0.2f, math.cos(2f * math.PI * phase), 0.4f * math.sin(6f * math.PI * phase));
+            float[] one = Read(Force), other = Read(phase => unit * Force(phase));
+
+            Assert.That(other, Is.EqualTo(one).Within(1e-4f));
+            Assert.That(Read(_ => unit * new float3(1f, 2f, 3f)), Is.All.Zero, "one that stays");
+            Assert.That(one[0], Is.Positive);
+        }
+
         [Test]
         public void AForceThatStays_OrThatNobodyKnows_IsSilent()
         {

@@ -10,6 +10,18 @@ namespace Alate.Tests.Flight
     {
         // J = Σ m ((r·r) 1 − r rᵀ) about the centre, and of an ellipsoid m/5 (b² + c²) about its own axes besides.
         [Test]
+        public void AnEllipsoidInMillimetres_IsInMetres_AndGrowsWithItsInsect()
+        {
+            var part = BodyEllipsoid.Millimetres(1.0, -2.0, 3.0, 4.0, 5.0, 6.0, 0.25f);
+
+            Assert.That(part.centre, Is.EqualTo(new UnityEngine.Vector3(0.001f, -0.002f, 0.003f)));
+            Assert.That(part.halfAxes, Is.EqualTo(new UnityEngine.Vector3(0.004f, 0.005f, 0.006f)));
+            Assert.That(part.share, Is.EqualTo(0.25f));
+            BodyEllipsoid large = part.Scaled(2f);
+            Assert.That((large.centre, large.halfAxes, large.share), Is.EqualTo((2f * part.centre, 2f * part.halfAxes, 0.25f)));
+        }
+
+        [Test]
         public void Inertia_IsThatOfItsParts_AboutTheCentre([Values(1u, 2u, 3u, 4u)] uint seed)
         {
             var random = Random.CreateFromIndex(seed);

@@ -117,6 +117,7 @@ namespace Alate.Tests.Flight
             sense.Avoid(s_Ahead, At(s_Place, 1f), ObstacleSettings.Default, k_Near);
             Assert.That(sense.Avoid(s_Ahead, At(s_Place, 1f), ObstacleSettings.Default, k_Near), Is.EqualTo(s_Ahead),
                 "rays are asked anew each time");
+            Assert.That(sense.Avoid(s_Ahead, At(s_Place + 0.97f * s_Ahead, 1f), ObstacleSettings.Default, k_Near), Is.EqualTo(s_Ahead));
         }
 
         private static ObstacleSense Looking(float3 wanted, float units)

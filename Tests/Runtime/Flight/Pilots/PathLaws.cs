@@ -144,6 +144,21 @@ namespace Alate.Tests.Flight
         }
 
         [Test]
+        public void APathThatBecameShorter_IsBegunAgain()
+        {
+            Vector3[] points = { Vector3.zero, new Vector3(0f, 0f, 4f), new Vector3(0f, 0f, 8f), new Vector3(0f, 0f, 12f) };
+            var follower = new PathFollower();
+            foreach (float along in new[] { 0f, 0f, 4f, 4f, 8f, 8f, 9f })
+                follower.Along(At(new float3(0f, 0f, along), 1f), points, false, k_Speed);
+            Assert.That(follower.Next, Is.EqualTo(3));
+
+            Vector3[] shorter = { new Vector3(0f, 0f, 5f), new Vector3(5f, 0f, 5f) };
+            float3 velocity = follower.Along(At(new float3(0f, 0f, 9f), 1f), shorter, false, k_Speed);
+            Assert.That(follower.Next, Is.Zero);
+            Assert.That(velocity.z, Is.EqualTo(-k_Speed).Within(1e-4f), "to its first point");
+        }
+
+        [Test]
         public void OnePoint_IsStayedAt([Values(0.04f, 0.06f)] float left)
         {
             var follower = new PathFollower();

@@ -36,12 +36,14 @@ namespace Alate.Tests.Flight
         }
 
         // Level and away, at least as fast as it takes off; it rises and sinks as it would without.
-        [TestCase(0f)]
-        [TestCase(0.2f)]
-        [TestCase(1.5f)]
-        public void InFlight_AThreatIsFledFrom(float speed)
+        [TestCase(0f, 1.3f)]
+        [TestCase(0.2f, 1.3f)]
+        [TestCase(1.5f, 1.3f)]
+        [TestCase(0.1f, 0.4f)]
+        public void InFlight_AThreatIsFledFrom(float speed, float top)
         {
             FlightSituation situation = Situation();
+            situation.limits = new FlightLimits(top, -0.3f, 0.3f, 2.5f);
             var between = FlightCommand.Fly(new float3(speed, 0.3f, 0f));
             float3 threat = situation.position + new float3(2f, 1f, -2f);
             float3 fled = new PerchPlan(1).Next(situation, PerchSettings.Default, threat, between).velocity;

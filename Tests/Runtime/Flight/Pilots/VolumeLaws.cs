@@ -31,6 +31,27 @@ namespace Alate.Tests.Flight
             Assert.That(volume.Hold(wanted, (float3)volume.centre + place, s_Limits, units), Is.EqualTo(wanted), "inwards as it likes");
         }
 
+        // A size of 0 counts as the least one: its middle is within, and the way there is a velocity.
+        [Test]
+        public void AVolumeWithoutASize_IsFlownTo([Values] VolumeShape shape, [Values(0, 1, 2, 3)] int flat)
+        {
+            Vector3 size = 4f * Vector3.one;
+            for (int axis = 0; axis < 3; axis++)
+                size[axis] = flat == axis || flat == 3 ? 0f : size[axis];
+            var volume = new FlightVolume(shape, new Vector3(1f, 2f, 3f), size);
+            Assert.That(volume.Contains((float3)volume.centre));
+            Assert.That(volume.Contains((float3)volume.centre + 0.5f), Is.False);
+            for (int axis = 0; axis < 3; axis++)
+            {
+                float3 off = default;
+                off[axis] = 3f;
+                float3 held = volume.Hold(off, (float3)volume.centre + off, s_Limits, 1f);
+                Assert.That(math.all(math.isfinite(held)), $"{held}");
+                Assert.That(held[axis], Is.Negative, "back in");
+                Assert.That(math.all(math.isfinite(volume.Hold(off, volume.centre, s_Limits, 1f))));
+            }
+        }
+
         [Test]
         public void OfASmallBox_AQuarterIsLeftAtTheRim()
         {

@@ -35,6 +35,17 @@ namespace Alate.Tests.Play
             Assert.That(Farthest(start, Shown(insect, 0).vertices), Is.LessThan(1e-4f));
         }
 
+        // Wings are looked for where none is listed; whoever lists one wants that one.
+        [UnityTest]
+        public IEnumerator AnInsectOfOneWing_KeepsThatOne_AndOneWithoutFindsAll([Values(0, 1)] int listed)
+        {
+            InsectWings insect = Hatch(made => made.Wings.RemoveRange(listed, 2 - listed));
+            yield return Frames(3);
+
+            Assert.That(insect.Wings, Has.Count.EqualTo(listed == 0 ? 2 : 1));
+            Assert.That(insect.State, Is.EqualTo(InsectState.Ready), insect.Problem.Message);
+        }
+
         [UnityTest]
         public IEnumerator ModeOfMotionVectors_IsGivenBack_WhereItWasTaken([Values] bool vectors)
         {
