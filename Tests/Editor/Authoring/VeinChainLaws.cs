@@ -102,7 +102,8 @@ namespace Alate.Editor.Tests
             (double degrees, RadialVein vein)[] all = Enumerable.Range(0, 5).Select(k =>
             {
                 double degrees = k == 0 && seed % 2 == 0 ? 80.0 : 70.0 - 165.0 * random.NextDouble();
-                return (degrees, new RadialVein(Vein(degrees).Path, rim.Nearest(Along(degrees, k_Length)), 0.5 + 0.5 * random.NextDouble()));
+                double place = rim.Nearest(Along(degrees, k_Length)), coverage = 0.5 + 0.5 * random.NextDouble();
+                return (degrees, new RadialVein(Vein(degrees).Path, place, coverage));
             }).OrderBy(one => random.Next()).ToArray();
             RadialVein[] chosen = VeinChoice.Choose(chains, all.Select(one => one.vein).ToList(), new RimOrder(rim, chains), k_Length);
 

@@ -1,3 +1,4 @@
+using System;
 using System.Linq;
 using Alate.Authoring;
 using Alate.Geometry;
@@ -9,6 +10,38 @@ namespace Alate.Editor.Tests
     /// <summary>Laws of shades and veins at their ends: beyond the wing, at the tip and at the root.</summary>
     public sealed class VeinEndLaws
     {
+        // A wing that lies along the other axis, or backwards, has the widths that it has: between pixels shades blend both ways.
+        [Test]
+        public void WidthsOfVeins_AreTheSame_HoweverThePictureLies([Values] bool isTurned, [Values] bool acrossColumns,
+            [Values] bool acrossRows)
+        {
+            const int width = 150, height = 90;
+            var shades = new PixelPlane(width, height);
+            PixelPlane other = isTurned ? new PixelPlane(height, width) : new PixelPlane(width, height);
+            PlanPoint Moved(PlanPoint at)
+            {
+                double x = acrossColumns ? width - at.x : at.x, y = acrossRows ? height + at.z : -at.z;
+                return isTurned ? new PlanPoint(y, -x) : new PlanPoint(x, -y);
+            }
+
+            for (int k = 0; k < shades.values.Length; k++)
+            {
+                double x = k % width + 0.5, y = k / width + 0.5, line = y - 0.3 * x - 20.0;
+                double dark = 90.0 * Math.Exp(-0.02 * line * line * (1.0 + 0.01 * x));
+                shades.values[k] = (float)(180.0 + 3.0 * Math.Sin(0.4 * x + 0.11 * y) - dark);
+                PlanPoint place = Moved(new PlanPoint(x, -y));
+                other[(int)place.x, (int)-place.z] = shades.values[k];
+            }
+
+            PlanPoint[] chain = Enumerable.Range(0, 5).Select(j => new PlanPoint(15.0 + 25.0 * j, -24.5 - 7.5 * j)).ToArray();
+            float[] Widths(PixelPlane plane, PlanPoint[] along) => new VeinWidths(plane, 1.0, 400.0)
+                .Measure(new[] { along }, new[] { new RadialVein(Polyline.Even(along, 120), 0.0, 1.0) })[0];
+            float[] measured = Widths(shades, chain);
+
+            Assert.That(measured, Is.All.Positive);
+            Assert.That(Widths(other, Array.ConvertAll(chain, Moved)), Is.EqualTo(measured).Within(0.005f * measured.Max()));
+        }
+
         [Test]
         public void Shades_GoOn_InAPictureThatIsNoSquare([Values(40, 90)] int width)
         {
