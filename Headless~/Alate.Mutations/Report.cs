@@ -34,7 +34,10 @@ internal sealed class Report(IReadOnlyList<(string Room, Mutant Mutant, Verdict 
         table.Append("|---|---|---|---|---|---|---|---|\n");
         foreach (IGrouping<string, (string Room, Mutant Mutant, Verdict Verdict)> room
             in results.GroupBy(result => result.Room).OrderBy(room => room.Key, StringComparer.Ordinal))
+        {
             table.Append(Row(room.Key, room.Select(result => result.Verdict.Outcome).ToList()));
+        }
+
         return table.Append(Row("all", results.Select(result => result.Verdict.Outcome).ToList())).ToString();
     }
 

@@ -124,6 +124,8 @@ public sealed class FlightRunLaws
     }
 
     [Test]
+    [Explicit]
+    [Category("Long")]
     public void TheStretchMap_NamesTheWorstPlace_AndHasItsScaleOfColours()
     {
         RecordedWing wing = m_Level.Wings[0];

@@ -21,6 +21,8 @@ namespace Alate.Tests.Cli
         public void RemoveFolder() => m_Run.Dispose();
 
         [Test]
+        [Explicit]
+        [Category("Long")]
         public void AFilmOfAScene_HasNumberedFrames_ThatMove()
         {
             PngFile[] frames = Film("monarch", "--seconds", "0.5", "--rate", "8", "--turn", "20");
@@ -75,6 +77,8 @@ namespace Alate.Tests.Cli
         }
 
         [Test]
+        [Explicit]
+        [Category("Long")]
         public void MomentsThatBlur_AreTheMeanOfTheirLight()
         {
             PngFile[] sharp = Film("monarch", "--seconds", "0.5", "--rate", "2"),
@@ -84,7 +88,7 @@ namespace Alate.Tests.Cli
             Assert.That(Light(blurred[0]), Is.EqualTo(Light(sharp[0])).Within(3).Percent);
         }
 
-        [TestCase("150,20,1.6", "150,20,0.8", 3.0)]
+        [TestCase("150,20,1.6", "150,20,0.8", 3.0, Explicit = true, Category = "Long")]
         public void TheCamera_ComesNearer(string far, string near, double factor)
         {
             int Seen(string look)

@@ -37,6 +37,12 @@ public sealed class WayPictureLaws
         Assert.That(lines.Select(line => line.Colour).Distinct().Count(), Is.GreaterThan(20));
         Assert.That(lines[0].Colour.z, Is.GreaterThan(lines[0].Colour.x), "blue is low");
         Assert.That(lines[^1].Colour.x, Is.GreaterThan(lines[^1].Colour.z), "red is high");
+        foreach (float2[] line in page.Strokes.Select(stroke => stroke.Points).Where(line => line.Length == 2))
+        {
+            (float2 low, float2 high) = (math.min(line[0], line[1]), math.max(line[0], line[1]));
+            if (low.x == high.x && high.y - low.y > 100f)
+                Assert.That(low.y >= 555f && high.y <= 743f || high.y <= 540f, Is.True, $"a line of the grid leaves its plot: {low}, {high}");
+        }
     }
 
     [Test]
@@ -118,6 +124,9 @@ public sealed class WayPictureLaws
         for (int k = 0; k < loop.Length; k++)
             Assert.That(math.distance(loop[k], Bob(2.0 * Math.PI * k / (loop.Length - 1))), Is.LessThan(0.0008f), $"{k}");
         Assert.That(math.distance(loop[0], loop[^1]), Is.LessThan(1e-6f), "it closes");
+        float2 span = loop.Aggregate(math.max) - loop.Aggregate(math.min);
+        Assert.That(PathPicture.Compose(flight, out _).Texts, Has.Some.EqualTo(FormattableString.Invariant(
+            $"{1000.0 * span.y:0.0} mm up and down, {1000.0 * span.x:0.0} along")));
         Assert.That(BeatBob.Loop(Record(6, _ => 0f, k_Step), new FlownWay(Record(6, _ => 0f, k_Step))), Is.Empty, "too short");
     }
 

@@ -11,6 +11,8 @@ namespace Alate.Tests.FreeFlights
     public sealed class TableRefinementTests
     {
         [Test]
+        [Explicit]
+        [Category("Long")]
         public void BetweenItsSlowestSpeeds_ASwallowtailFlies() =>
             FlyBetween("swallowtail", (speed, climb) => speed < 0.06f && math.abs(climb) < 0.06f);
 

@@ -119,6 +119,8 @@ public sealed class GardenSampleTests : SampleFixture<GardenSample>
     }
 
     [UnityTest]
+    [Explicit]
+    [Category("Long")]
     public IEnumerator TheSnailfish_SwimsAroundTheGarden_ByItsOwnFins() => Swim(5);
 
     [UnityTest]

@@ -74,7 +74,11 @@ public sealed class SampleServerTests
     });
 
     [Test]
-    public void AServerWithoutAPage_EndsItsSample() => m_Server.Simulation.RunUntil(m_Server.Simulation.Do(() => { }));
+    public void AServerWithoutAPage_HasItsSampleAtHand_AndEndsIt()
+    {
+        m_Server.Simulation.RunUntil(m_Server.Simulation.Do(() => { }));
+        Assert.That(Application.isPlaying, "it is made before a page asks");
+    }
 
     private void Serve(Func<Task> clients)
     {

@@ -115,6 +115,8 @@ namespace Alate.Tests.Views
         });
 
         [Test]
+        [Explicit]
+        [Category("Long")]
         public void PictureOfAWing_Flies_AndIsSavedWithItsLook() => Fly(async () =>
         {
             byte[] png = File.ReadAllBytes(Path.Combine(PackageRoot.Find(), "Documentation~", "images", "wing-drawing.png"));

@@ -27,6 +27,7 @@ internal sealed class PlantedMutantTests
             private static float Made() => 3f * 7f;
             public static float Twin(float a) => 3f * a;
             public static float Spoiled(float a) => -a;
+            public static float Shared(float a) => 5f * a;
         }
         [TestFixture]
         public sealed class TinyTests
@@ -47,6 +48,14 @@ internal sealed class PlantedMutantTests
                 if (one.asked > 0f)
                     Assert.That(Tiny.Twin(one.asked), Is.EqualTo(6f));
             }
+        }
+        [TestFixture]
+        public sealed class WSharedTests
+        {
+            private static float? s_Made;
+            private static float Made() => s_Made ??= Tiny.Shared(2f);
+            [Test] public void Asks() { Made(); }
+            [Test] public void Checks() => Assert.That(Made(), Is.EqualTo(10f));
         }
         [TestFixture]
         public sealed class XSpoiledTests
@@ -82,7 +91,7 @@ internal sealed class PlantedMutantTests
         File.Copy(Path.Combine(here, "Alate.Mutations" + settings), Path.Combine(m_Folder, "AlateTiny" + settings));
         var project = Project.Of("AlateTiny", "Tiny.cs", k_Source);
         IEnumerable<Mutant> mutants = Mutant.Of(project, project.Compilation.SyntaxTrees.Single(), "Tiny.cs")
-            .Where(mutant => mutant.Line < 16);
+            .Where(mutant => mutant.Line < 17);
         m_Drawn = MutationRun.Build(new Sample(mutants.Select(mutant => ("tiny", mutant)), 1), 100, [project], m_Folder);
         m_Coverage = Coverage.Record(["AlateTiny"], Worker, (_, type) => type == "ZLaterTests");
     }
@@ -94,7 +103,7 @@ internal sealed class PlantedMutantTests
     public void TheProgramAsItStands_FailsNowhere()
     {
         Assert.That(m_Coverage.Failing, Is.Empty);
-        Assert.That(m_Coverage.Tests, Is.EqualTo(8), "explicit tests are not run");
+        Assert.That(m_Coverage.Tests, Is.EqualTo(10), "explicit tests are not run");
     }
 
     [TestCase(6, Outcome.Found, "TinyTests.Asked")]
@@ -105,6 +114,7 @@ internal sealed class PlantedMutantTests
     [TestCase(13, Outcome.Found, "ZLaterTests.Kept")]
     [TestCase(14, Outcome.Found, "UpBesideTests.Twins")]
     [TestCase(15, Outcome.NotReached, "")]
+    [TestCase(16, Outcome.Found, "WSharedTests.Checks")]
     public void AMutant_FallsToTheTestThatAsks(int line, Outcome outcome, string test)
     {
         Verdict verdict = new Trial(m_Coverage, Worker).Of(Number(line));

@@ -64,24 +64,29 @@ internal sealed class Coverage
     /// <summary>Returns true for a test that compares with numbers which the program printed once.</summary>
     public static bool IsGolden(string test) => Array.Exists(s_Golden, golden => test.StartsWith(golden, StringComparison.Ordinal));
 
-    /// <summary>Groups of the tests that meet a mutant and the processor time of each, quickest first.</summary>
+    /// <summary>
+    /// Groups of the tests that meet a mutant and the processor time of each, quickest first; behind them those of the same classes, which
+    /// may read what a test before them has made.
+    /// </summary>
     public List<(TestGroup Group, double Seconds)> Reaching(int mutant)
     {
-        var groups = new List<(TestGroup, double)>();
+        var groups = new List<(TestGroup Group, double Seconds, bool Meets)>();
         foreach (TestClass one in m_Classes)
         {
             bool all = one.Always.Contains(mutant) || m_Once.Contains(mutant) && m_IsBeside?.Invoke(mutant, one.Type) == true;
-            var tests = one.Tests.Where(test => !Failing.Contains(test.Key))
-                .Where(test => all || test.Value.Hits.Contains(mutant)).ToList();
-            foreach (IGrouping<bool, KeyValuePair<string, (double Seconds, HashSet<int> Hits)>> part
-                in tests.GroupBy(test => test.Value.Seconds > k_Slow))
+            if (!all && !one.Tests.Any(test => test.Value.Hits.Contains(mutant)))
+                continue;
+            foreach (IGrouping<(bool Meets, bool IsSlow), KeyValuePair<string, (double Seconds, HashSet<int> Hits)>> part
+                in one.Tests.Where(test => !Failing.Contains(test.Key))
+                    .GroupBy(test => (Meets: all || test.Value.Hits.Contains(mutant), IsSlow: test.Value.Seconds > k_Slow)))
             {
                 var group = new TestGroup(one.Assembly, one.Type, part.Select(test => test.Key).ToList());
-                groups.Add((group, one.SetUp + part.Sum(test => test.Value.Seconds)));
+                groups.Add((group, one.SetUp + part.Sum(test => test.Value.Seconds), part.Key.Meets));
             }
         }
 
-        return groups.OrderBy(group => IsGolden(group.Item1.Type)).ThenBy(group => group.Item2).ToList();
+        return groups.OrderBy(group => IsGolden(group.Group.Type)).ThenBy(group => !group.Meets).ThenBy(group => group.Seconds)
+            .Select(group => (group.Group, group.Seconds)).ToList();
     }
 
     private void Add(List<TestGroup> groups, List<TestReport> reports)

@@ -3,7 +3,6 @@ using System.Collections.Generic;
 using System.Diagnostics;
 using System.IO;
 using System.Linq;
-using System.Reflection;
 using Alate.Mutations.Sources;
 using NUnit.Framework.Interfaces;
 

@@ -113,6 +113,8 @@ namespace Alate.Editor.Tests
         }
 
         [Test]
+        [Explicit]
+        [Category("Long")]
         public void FewVeins_LeaveTheOtherChainsToTheOutline()
         {
             var drawn = new DrawnVeinPicture(DrawnWing.Monarch(), 400, 2, VeinLook.Photo);

@@ -104,6 +104,8 @@ namespace Alate.Editor.Tests
         }
 
         [Test]
+        [Explicit]
+        [Category("Long")]
         public void FaintEdge_IsSaidAndLowersTheConfidence()
         {
             WingPlace place = DrawnWing.Monarch().In(300);

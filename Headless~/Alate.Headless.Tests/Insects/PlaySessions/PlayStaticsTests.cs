@@ -33,13 +33,13 @@ public sealed class PlayStaticsTests
     }
 
     [UnityTest]
-    public IEnumerator ThePatienceOfAPlay_IsTenSeconds_WhateverItWasInTheLast()
+    public IEnumerator ThePatienceOfAPlay_IsTenSeconds_AndItsBudgetNone_WhateverTheyWereInTheLast()
     {
         for (int session = 0; session < 2; session++)
         {
             yield return new EnterPlayMode(false);
-            Assert.That(WingSystem.Patience, Is.EqualTo(10f));
-            WingSystem.Patience = 3f;
+            Assert.That((WingSystem.Patience, WingSystem.Budget), Is.EqualTo((10f, 0f)));
+            (WingSystem.Patience, WingSystem.Budget) = (3f, 2f);
             yield return new ExitPlayMode();
         }
     }
