@@ -11,8 +11,6 @@ using Unity.StandIns;
 namespace Alate.Tests.Cli
 {
     /// <summary>Files that a comparison writes.</summary>
-    [Explicit]
-    [Category("Long")]
     public sealed class CompareTests
     {
         private CommandRun m_Run;

@@ -7,8 +7,6 @@ using NUnit.Framework;
 namespace Alate.Tests.Cli
 {
     /// <summary>Files that the command <c>convergence</c> writes. The cost depends on the machine and is not checked.</summary>
-    [Explicit]
-    [Category("Long")]
     public sealed class ConvergenceTests
     {
         private CommandRun m_Run;

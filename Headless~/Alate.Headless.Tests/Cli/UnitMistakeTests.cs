@@ -130,6 +130,16 @@ namespace Alate.Tests.Cli
         }
 
         [Test]
+        public void HalfAxesOfAnotherUnit_AreToldBesideTheWingsLength()
+        {
+            using var run = new CommandRun();
+            string large = s_Moth.Replace("[4, 4, 14]", "[400, 4, 900]");
+            double length = 1e3 * KnownSpecies.Find(run.Write("moth.insect.json", large)).Wings[0].Length;
+            Assert.That(Marks(run, large), Has.Some.EqualTo(string.Create(CultureInfo.InvariantCulture,
+                $"A part of the body has half axes of 4 to 900 mm, beside wings of {length:0.##} mm: is the unit mm?")));
+        }
+
+        [Test]
         public void PhasesInDegrees_AmongRadians_AreAskedAbout()
         {
             using var run = new CommandRun();

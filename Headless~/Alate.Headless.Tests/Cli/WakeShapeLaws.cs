@@ -7,6 +7,7 @@ using System.Text.Json;
 using System.Text.RegularExpressions;
 using Alate.Cli;
 using Alate.Drawing;
+using Alate.Wake;
 using NUnit.Framework;
 using Unity.Mathematics;
 using Unity.StandIns;
@@ -110,6 +111,24 @@ public sealed class WakeShapeLaws
         Assert.That(m_Windy.Wings.Select(wing => wing.Placement.IsLeft).Distinct().Count(), Is.EqualTo(2));
         float[] shed = [.. windy.Select(sheet => sheet.Circulation.Take(sheet.Width - 1).Sum())];
         Assert.That(shed, Is.All.GreaterThan(0f), "in the middle of the downstroke all wings are pushed up");
+    }
+
+    // Metres of a reference length of 3 and seconds of a period of 0.5: places grow by the length, circulation by its square over the time.
+    [Test]
+    public void ASheet_IsCopiedInMetresAndSeconds_WithTheSignOfItsSide()
+    {
+        var settings = new WakeSettings { SpanPanels = 4, StepsPerBeat = 8, Stream = new float3(0f, 0f, -4f) };
+        using var wake = new FreeWake(settings, [new WakeWing(ThinWing.Steady(2f, 0.1))]);
+        for (int k = 0; k < 5; k++)
+            wake.Step();
+        ShapedSheet one = ShapedSheet.Of(wake.Sheet(0), 1.0, 1.0, true), large = ShapedSheet.Of(wake.Sheet(0), 3.0, 0.5, true),
+            right = ShapedSheet.Of(wake.Sheet(0), 1.0, 1.0, false);
+
+        Assert.That(one.Circulation.Max(Math.Abs), Is.GreaterThan(0.01f));
+        Assert.That(large.Points, Is.EqualTo(one.Points.Select(point => 3f * point)));
+        Assert.That(large.Circulation, Is.EqualTo(one.Circulation.Select(circulation => 18f * circulation)).Within(1e-5f));
+        Assert.That(right.Circulation, Is.EqualTo(one.Circulation.Select(circulation => -circulation)));
+        Assert.That(one.Circulation[0], Is.EqualTo(wake.Sheet(0).Circulation(0, 0)));
     }
 
     [Test]
