@@ -41,7 +41,7 @@ public sealed class WayPictureLaws
         {
             (float2 low, float2 high) = (math.min(line[0], line[1]), math.max(line[0], line[1]));
             if (low.x == high.x && high.y - low.y > 100f)
-                Assert.That(low.y >= 555f && high.y <= 743f || high.y <= 540f, Is.True, $"a line of the grid leaves its plot: {low}, {high}");
+                Assert.That(low.y >= 555f && high.y <= 743f || high.y <= 540f, Is.True, $"a line of the grid leaves it: {low}, {high}");
         }
     }
 
