@@ -5,6 +5,9 @@ using Unity.Mathematics;
 namespace Alate.Tests.Bakes
 {
     /// <summary>glTF files that <c>bake</c> writes, played as the specification says, beside the live wings.</summary>
+    [Explicit]
+    [Category("Long")]
+    [Category("Faults")]
     public sealed class BakedGltfTests : BakedFilesFixture
     {
         // Linear blends of joints differ from the live wings' dual quaternions by up to 0.06 %, see crowds.md.

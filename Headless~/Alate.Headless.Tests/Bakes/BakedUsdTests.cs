@@ -14,6 +14,9 @@ using Unity.Mathematics;
 namespace Alate.Tests.Bakes;
 
 /// <summary>USD files that <c>bake</c> writes, played as UsdSkel says, beside the glTF files of the same bakes.</summary>
+[Explicit]
+[Category("Long")]
+[Category("Faults")]
 public sealed class BakedUsdTests : BakedFilesFixture
 {
     private const string k_Clips = "--clips cruise,hover";

@@ -6,6 +6,9 @@ using Unity.Mathematics;
 namespace Alate.Tests.Bakes
 {
     /// <summary>Textures that <c>bake</c> writes, read as the open importers read them, beside the live wings.</summary>
+    [Explicit]
+    [Category("Long")]
+    [Category("Faults")]
     public sealed class OpenVatTests : BakedFilesFixture
     {
         [TestCase("monarch")]

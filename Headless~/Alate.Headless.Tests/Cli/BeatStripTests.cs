@@ -13,6 +13,9 @@ using UnityEngine;
 namespace Alate.Tests.Cli
 {
     /// <summary>Content of the strip of a flight, read back from its pixels and its labels.</summary>
+    [Explicit]
+    [Category("Long")]
+    [Category("Faults")]
     public sealed class BeatStripTests
     {
         private const int k_Phases = 12;

@@ -11,6 +11,9 @@ using Unity.StandIns;
 namespace Alate.Tests.Cli
 {
     /// <summary>Files that a comparison writes.</summary>
+    [Explicit]
+    [Category("Long")]
+    [Category("Faults")]
     public sealed class CompareTests
     {
         private CommandRun m_Run;

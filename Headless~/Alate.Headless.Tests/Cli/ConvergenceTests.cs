@@ -7,6 +7,9 @@ using NUnit.Framework;
 namespace Alate.Tests.Cli
 {
     /// <summary>Files that the command <c>convergence</c> writes. The cost depends on the machine and is not checked.</summary>
+    [Explicit]
+    [Category("Long")]
+    [Category("Faults")]
     public sealed class ConvergenceTests
     {
         private CommandRun m_Run;

@@ -15,12 +15,18 @@ namespace Alate.Tests.Cli
         private const int k_Sample = 5, k_All = 600, k_Kinematics = 5;
 
         [Test]
+        [Explicit]
+        [Category("Long")]
+        [Category("Faults")]
         public void ADamagedInsectFile_FliesOrIsRefusedInOneLine() => FlyInsects(0, k_Sample);
 
         [Test]
         public void DamagedKinematics_FlyOrAreRefusedInOneLine() => FlyKinematics(0, k_Kinematics);
 
         [Test]
+        [Explicit]
+        [Category("Long")]
+        [Category("Faults")]
         public void DamagedSummaries_FlyAgainOrAreRefusedInOneLine() => FlySummaries(0, k_Kinematics);
 
         [Test, Explicit, Category("Long")]

@@ -43,6 +43,9 @@ namespace Alate.Tests.Cli
 
         // Its frames are those on paper, once the paper is laid behind them.
         [Test]
+        [Explicit]
+        [Category("Long")]
+        [Category("Faults")]
         public void ATransparentFilm_OnPaper_IsTheFilmOnPaper()
         {
             PngFile[] Frames(params string[] options)

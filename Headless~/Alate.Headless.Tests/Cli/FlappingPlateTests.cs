@@ -54,6 +54,9 @@ namespace Alate.Tests.Cli
 
         // The mean error that Urban 2020 published of a lattice of the same kind.
         [Test]
+        [Explicit]
+        [Category("Long")]
+        [Category("Faults")]
         public void ALatticeOfAttachedFlow_IsAsNearToTheMeasuredLift_AsAnotherOne()
         {
             (double rms, double error) = FlappingPlate.Fly(WakeMethod.Panels, attached: true, 24);

@@ -126,6 +126,7 @@ public sealed class FlightRunLaws
     [Test]
     [Explicit]
     [Category("Long")]
+    [Category("Faults")]
     public void TheStretchMap_NamesTheWorstPlace_AndHasItsScaleOfColours()
     {
         RecordedWing wing = m_Level.Wings[0];

@@ -71,6 +71,9 @@ namespace Alate.Tests.Cli
         }
 
         [Test]
+        [Explicit]
+        [Category("Long")]
+        [Category("Faults")]
         public void AFreeFlightOfTheFile_IsReplayed_WhereTheFileIsNamed()
         {
             using var run = new CommandRun();

@@ -30,6 +30,7 @@ public sealed class ReportRowLaws
     [Test]
     [Explicit]
     [Category("Long")]
+    [Category("Faults")]
     public void ATetheredDragonfly_IsThatOfTheReport() =>
         Compare(row => Best(row) && Begins(row, "tethered dragonfly") && !Begins(row, "tethered dragonfly in still air"), 1,
             done => DragonflyRows.Tethered(s_Coarse, done), 0.05, 0.03, false);
@@ -44,6 +45,7 @@ public sealed class ReportRowLaws
     [Test]
     [Explicit]
     [Category("Long")]
+    [Category("Faults")]
     public void VariantsOfATetheredDragonfly_AreThoseOfTheReport() =>
         Compare(row => (!Best(row) && Begins(row, "tethered dragonfly")) || Begins(row, "tethered dragonfly in still air")
             || Begins(row, "hovering dragonfly"), 5, done => DragonflyVariants.Tethered(new Fineness(24, 48), done), 0.05, 0.03);
@@ -57,6 +59,7 @@ public sealed class ReportRowLaws
     [Test]
     [Explicit]
     [Category("Long")]
+    [Category("Faults")]
     public void MothAndFirefly_AreThoseOfTheReport()
     {
         Compare(row => Begins(row, "painted-lichen-moth, free flight"), 1,
@@ -67,6 +70,7 @@ public sealed class ReportRowLaws
     [Test]
     [Explicit]
     [Category("Long")]
+    [Category("Faults")]
     public void AClimbingMonarch_IsThatOfTheReport() =>
         Compare(row => Begins(row, "monarch, climbing"), 1, done => ButterflyRows.Climbing(new Fineness(24, 48), done), 0.06, 0.1, false);
 
@@ -82,6 +86,7 @@ public sealed class ReportRowLaws
     [Test]
     [Explicit]
     [Category("Long")]
+    [Category("Faults")]
     public void StripsThatMove_AreThoseOfTheReport() =>
         Compare(row => Text(row, "table") == "strips" && !Text(row, "record").Contains("under a weight of"), 1,
             done => StructureRows.Motions(new Fineness(48, 96), done), 0.08, 1.5);
@@ -89,6 +94,7 @@ public sealed class ReportRowLaws
     [Test]
     [Explicit]
     [Category("Long")]
+    [Category("Faults")]
     public void Wakes_AreThoseOfTheReport() =>
         Compare(row => Text(row, "table") == "wakes", 5,
             done => WakeRows.Beating(done).Concat(WakeRows.Starting(done)).Concat(WakeRows.Steady(done)).Concat(WakeRows.Revolving(done))

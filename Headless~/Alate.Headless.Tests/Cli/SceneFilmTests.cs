@@ -23,6 +23,7 @@ namespace Alate.Tests.Cli
         [Test]
         [Explicit]
         [Category("Long")]
+        [Category("Faults")]
         public void AFilmOfAScene_HasNumberedFrames_ThatMove()
         {
             PngFile[] frames = Film("monarch", "--seconds", "0.5", "--rate", "8", "--turn", "20");
@@ -49,7 +50,7 @@ namespace Alate.Tests.Cli
             Assert.That(frame.Pixels.Count(pixel => !pixel.Equals(frame.Pixels[0])), Is.GreaterThan(frame.Pixels.Length / 50));
         }
 
-        [TestCase("monarch")]
+        [TestCase("monarch", Explicit = true, Category = "Long,Faults")]
         [TestCase("garden", "--set", "Butterflies=2", Explicit = true, Category = "Long")]
         public void TheSameScene_IsTheSameFilm(string scene, params string[] settings)
         {
@@ -68,6 +69,7 @@ namespace Alate.Tests.Cli
         [Test]
         [Explicit]
         [Category("Long")]
+        [Category("Faults")]
         public void ASliderOfThePanel_IsMoved()
         {
             PngFile[] day = Film("garden", "--seconds", "0.1", "--rate", "10", "--set", "Dusk=0"),
@@ -79,6 +81,7 @@ namespace Alate.Tests.Cli
         [Test]
         [Explicit]
         [Category("Long")]
+        [Category("Faults")]
         public void MomentsThatBlur_AreTheMeanOfTheirLight()
         {
             PngFile[] sharp = Film("monarch", "--seconds", "0.5", "--rate", "2"),
@@ -88,7 +91,7 @@ namespace Alate.Tests.Cli
             Assert.That(Light(blurred[0]), Is.EqualTo(Light(sharp[0])).Within(3).Percent);
         }
 
-        [TestCase("150,20,1.6", "150,20,0.8", 3.0, Explicit = true, Category = "Long")]
+        [TestCase("150,20,1.6", "150,20,0.8", 3.0, Explicit = true, Category = "Long,Faults")]
         public void TheCamera_ComesNearer(string far, string near, double factor)
         {
             int Seen(string look)

@@ -113,6 +113,9 @@ namespace Alate.Tests.Cli
         }
 
         [Test]
+        [Explicit]
+        [Category("Long")]
+        [Category("Faults")]
         public void MeshAndSkeleton_Fly()
         {
             string image = Image("wing.png", DrawnWing.Scalloped().In(300).Draw(DrawnKind.Silhouette)),
@@ -157,6 +160,9 @@ namespace Alate.Tests.Cli
         }
 
         [Test]
+        [Explicit]
+        [Category("Long")]
+        [Category("Faults")]
         public void NumbersInOtherCultures_AreTheSame()
         {
             string image = Image("wing.png", DrawnWing.Fan().In(200).Draw(DrawnKind.Silhouette));

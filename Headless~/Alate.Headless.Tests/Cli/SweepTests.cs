@@ -9,6 +9,9 @@ using NUnit.Framework;
 namespace Alate.Tests.Cli
 {
     /// <summary>Files that a sweep writes.</summary>
+    [Explicit]
+    [Category("Long")]
+    [Category("Faults")]
     public sealed class SweepTests
     {
         private CommandRun m_Run;

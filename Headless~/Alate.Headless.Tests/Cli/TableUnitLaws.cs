@@ -83,6 +83,7 @@ public sealed class TableUnitLaws
     [Test]
     [Explicit]
     [Category("Long")]
+    [Category("Faults")]
     public void RowsOfASweep_AreThoseOfFlightsWithItsValues()
     {
         var flight = new FlightPlan { Species = "monarch", Substeps = 12 };

@@ -11,6 +11,9 @@ using NUnit.Framework;
 namespace Alate.Tests.Cli
 {
     /// <summary>Files of the command trim.</summary>
+    [Explicit]
+    [Category("Long")]
+    [Category("Faults")]
     public sealed class TrimTests
     {
         [Test]

@@ -122,6 +122,7 @@ public sealed class ValidationLaws
     [Test]
     [Explicit]
     [Category("Long")]
+    [Category("Faults")]
     public void LastDigits_LeaveABandThatHoldsEachOfThem()
     {
         MeasuredDragonfly flight = MeasuredDragonfly.Flights[1];

@@ -35,6 +35,7 @@ namespace Alate.Tests.FreeFlights
         [Test]
         [Explicit]
         [Category("Long")]
+        [Category("Faults")]
         public void WithAPositionLoop_AMinuteOfHovering_StaysWithinAMetre() => Hover("monarch");
 
         [Test, Explicit, Category("Long")]

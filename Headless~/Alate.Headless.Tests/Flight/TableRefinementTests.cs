@@ -13,6 +13,7 @@ namespace Alate.Tests.FreeFlights
         [Test]
         [Explicit]
         [Category("Long")]
+        [Category("Faults")]
         public void BetweenItsSlowestSpeeds_ASwallowtailFlies() =>
             FlyBetween("swallowtail", (speed, climb) => speed < 0.06f && math.abs(climb) < 0.06f);
 
@@ -33,6 +34,7 @@ namespace Alate.Tests.FreeFlights
         [Test]
         [Explicit]
         [Category("Long")]
+        [Category("Faults")]
         public void WhereTwoSpeedsDoNotMix_ATableGetsMore()
         {
             using var insect = new FlyingInsect("swallowtail");

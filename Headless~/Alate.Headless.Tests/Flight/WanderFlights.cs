@@ -17,6 +17,9 @@ namespace Alate.Tests.FreeFlights
 
         // A seed that tumbled with this step while the wanderer asked for all the acceleration that the reference follows.
         [Test]
+        [Explicit]
+        [Category("Long")]
+        [Category("Faults")]
         public void AMonarch_Wanders() => Fly("monarch", 0.01f, [14]);
 
         [Test, Explicit, Category("Long")]

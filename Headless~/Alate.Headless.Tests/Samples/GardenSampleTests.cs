@@ -121,6 +121,7 @@ public sealed class GardenSampleTests : SampleFixture<GardenSample>
     [UnityTest]
     [Explicit]
     [Category("Long")]
+    [Category("Faults")]
     public IEnumerator TheSnailfish_SwimsAroundTheGarden_ByItsOwnFins() => Swim(5);
 
     [UnityTest]
@@ -180,6 +181,9 @@ public sealed class GardenSampleTests : SampleFixture<GardenSample>
 
     // The light that the scene had comes back.
     [UnityTest]
+    [Explicit]
+    [Category("Long")]
+    [Category("Faults")]
     public IEnumerator AtNight_SunAndSurroundingsAreDim_UntilTheSampleEnds()
     {
         Color sky = RenderSettings.ambientSkyColor;

@@ -60,6 +60,9 @@ public sealed class SwarmSampleTests : SampleFixture<SwarmSample>
     }
 
     [UnityTest]
+    [Explicit]
+    [Category("Long")]
+    [Category("Faults")]
     public IEnumerator InsectsFlyWhereTheirHeadsPoint()
     {
         yield return Begin();

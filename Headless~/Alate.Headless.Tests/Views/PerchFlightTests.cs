@@ -76,6 +76,9 @@ public sealed class PerchFlightTests
     }
 
     [Test]
+    [Explicit]
+    [Category("Long")]
+    [Category("Faults")]
     public void Landing_GoesOnWithAnotherInsect_AndEndsWithAVariant_OrOneThatSwims()
     {
         using var scene = new SceneInsect(ViewSettings.Of(InsectCatalogue.Find("monarch"), InsectVariant.Standard));

@@ -117,6 +117,7 @@ namespace Alate.Tests.Views
         [Test]
         [Explicit]
         [Category("Long")]
+        [Category("Faults")]
         public void PictureOfAWing_Flies_AndIsSavedWithItsLook() => Fly(async () =>
         {
             byte[] png = File.ReadAllBytes(Path.Combine(PackageRoot.Find(), "Documentation~", "images", "wing-drawing.png"));

@@ -28,6 +28,7 @@ internal sealed class PlantedMutantTests
             public static float Twin(float a) => 3f * a;
             public static float Spoiled(float a) => -a;
             public static float Shared(float a) => 5f * a;
+            public static float Slow(float a) => 7f * a;
         }
         [TestFixture]
         public sealed class TinyTests
@@ -69,6 +70,11 @@ internal sealed class PlantedMutantTests
         {
             [Test] public void Kept() => Assert.That(Tiny.Kept, Is.EqualTo(21f));
         }
+        [TestFixture, Explicit, Category("Long"), Category("Faults")]
+        public sealed class SlowTests
+        {
+            [Test] public void Slow() => Assert.That(Tiny.Slow(2f), Is.EqualTo(14f));
+        }
         [TestFixture, Explicit]
         public sealed class ExplicitTests
         {
@@ -91,7 +97,7 @@ internal sealed class PlantedMutantTests
         File.Copy(Path.Combine(here, "Alate.Mutations" + settings), Path.Combine(m_Folder, "AlateTiny" + settings));
         var project = Project.Of("AlateTiny", "Tiny.cs", k_Source);
         IEnumerable<Mutant> mutants = Mutant.Of(project, project.Compilation.SyntaxTrees.Single(), "Tiny.cs")
-            .Where(mutant => mutant.Line < 17);
+            .Where(mutant => mutant.Line < 18);
         m_Drawn = MutationRun.Build(new Sample(mutants.Select(mutant => ("tiny", mutant)), 1), 100, [project], m_Folder);
         m_Coverage = Coverage.Record(["AlateTiny"], Worker, (_, type) => type == "ZLaterTests");
     }
@@ -103,7 +109,7 @@ internal sealed class PlantedMutantTests
     public void TheProgramAsItStands_FailsNowhere()
     {
         Assert.That(m_Coverage.Failing, Is.Empty);
-        Assert.That(m_Coverage.Tests, Is.EqualTo(10), "explicit tests are not run");
+        Assert.That(m_Coverage.Tests, Is.EqualTo(11), "explicit tests are run where they ask for faults");
     }
 
     [TestCase(6, Outcome.Found, "TinyTests.Asked")]
@@ -115,6 +121,7 @@ internal sealed class PlantedMutantTests
     [TestCase(14, Outcome.Found, "UpBesideTests.Twins")]
     [TestCase(15, Outcome.NotReached, "")]
     [TestCase(16, Outcome.Found, "WSharedTests.Checks")]
+    [TestCase(17, Outcome.Found, "SlowTests.Slow")]
     public void AMutant_FallsToTheTestThatAsks(int line, Outcome outcome, string test)
     {
         Verdict verdict = new Trial(m_Coverage, Worker).Of(Number(line));

@@ -38,12 +38,12 @@ internal static class Worker
         return 0;
     }
 
-    /// <summary>Classes of tests of an assembly that a plain run has, by their names.</summary>
+    /// <summary>Classes of tests of an assembly that are tried, by their names.</summary>
     public static IEnumerable<string> Classes(string assembly)
     {
         var runner = new NUnitTestAssemblyRunner(new DefaultTestAssemblyBuilder());
         return Leaves(runner.Load(Assembly.Load(assembly), Settings(null, false)))
-            .Where(IsPlain).Select(test => test.TypeInfo.FullName).Distinct();
+            .Where(IsTried).Select(test => test.TypeInfo.FullName).Distinct();
     }
 
     private static void Run(TestGroup group, Listener listener, bool records)
@@ -56,7 +56,7 @@ internal static class Worker
         ITest suite = runner.Load(assembly, Settings(types, !records));
         var names = group.Tests?.ToHashSet();
         IEnumerable<ITest> chosen = Leaves(suite)
-            .Where(test => test.TypeInfo?.FullName == group.Type && IsPlain(test) && (names == null || names.Contains(test.FullName)));
+            .Where(test => test.TypeInfo?.FullName == group.Type && IsTried(test) && (names == null || names.Contains(test.FullName)));
         runner.Run(listener, new Chosen(chosen));
     }
 
@@ -80,16 +80,21 @@ internal static class Worker
 
     private static IEnumerable<ITest> Leaves(ITest test) => test.HasChildren ? test.Tests.SelectMany(Leaves) : test.IsSuite ? [] : [test];
 
-    /// <summary>Returns true for a test of the plain run: neither Long nor explicit.</summary>
-    private static bool IsPlain(ITest test)
+    /// <summary>
+    /// Returns true for a test of the plain run, neither Long nor explicit, and for one of the category Faults, which that run leaves out
+    /// for its length alone.
+    /// </summary>
+    private static bool IsTried(ITest test)
     {
+        bool isPlain = true;
         for (ITest around = test; around != null; around = around.Parent)
         {
-            if (around.RunState is RunState.Explicit || around.Properties["Category"].Contains("Long"))
-                return false;
+            if (around.Properties["Category"].Contains("Faults"))
+                return true;
+            isPlain &= around.RunState is not RunState.Explicit && !around.Properties["Category"].Contains("Long");
         }
 
-        return true;
+        return isPlain;
     }
 
     /// <summary>Tests, and all suites that they are in.</summary>
@@ -108,7 +113,7 @@ internal static class Worker
 
         public bool Pass(ITest test) => m_Ids.Contains(test.Id);
 
-        public bool IsExplicitMatch(ITest test) => false;
+        public bool IsExplicitMatch(ITest test) => Pass(test);
 
         public TNode ToXml(bool recursive) => AddToXml(new TNode("filter"), recursive);
 

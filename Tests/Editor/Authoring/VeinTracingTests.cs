@@ -115,6 +115,7 @@ namespace Alate.Editor.Tests
         [Test]
         [Explicit]
         [Category("Long")]
+        [Category("Faults")]
         public void FewVeins_LeaveTheOtherChainsToTheOutline()
         {
             var drawn = new DrawnVeinPicture(DrawnWing.Monarch(), 400, 2, VeinLook.Photo);

@@ -106,6 +106,7 @@ namespace Alate.Editor.Tests
         [Test]
         [Explicit]
         [Category("Long")]
+        [Category("Faults")]
         public void FaintEdge_IsSaidAndLowersTheConfidence()
         {
             WingPlace place = DrawnWing.Monarch().In(300);

@@ -26,6 +26,9 @@ namespace Alate.Tests.Play
         public void LetTimeRun() => Time.timeScale = 1f;
 
         [UnityTest]
+        [Explicit]
+        [Category("Long")]
+        [Category("Faults")]
         public IEnumerator RandomActs_HarmNobody() => Act(150, 7);
 
         [UnityTest]
