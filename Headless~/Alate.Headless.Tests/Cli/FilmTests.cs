@@ -51,7 +51,7 @@ namespace Alate.Tests.Cli
             PngFile[] Frames(params string[] options)
             {
                 using var run = new CommandRun();
-                Assert.That(run.Run(["film", "monarch", "--frames", "4", "--beats", "1", "--width", "121", "--out", run.Out, .. options]),
+                Assert.That(run.Run(["film", "monarch", "--frames", "4", "--beats", "1", "--width", "161", "--out", run.Out, .. options]),
                     Is.Zero, run.Errors);
                 Assert.That(PngFile.Read(File.ReadAllBytes(Path.Combine(run.Out, "film.png"))).Pixels.Any(pixel => pixel.a < 255),
                     Is.EqualTo(options.Length > 0));

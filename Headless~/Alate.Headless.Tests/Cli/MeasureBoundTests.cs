@@ -52,9 +52,12 @@ namespace Alate.Tests.Cli
 
         // The same looks once as a wing's own and once as numbers: these have no shadows.
         [Test]
+        [Explicit]
+        [Category("Long")]
+        [Category("Faults")]
         public void WingsThatShowNumbers_HaveNoShadows()
         {
-            Color32[] Painted(PhotoScene scene) => [.. new[] { 0.0, 0.25 }.Select(turns => scene.PoseAt(turns))
+            Color32[] Painted(PhotoScene scene) => [.. new[] { 0.0, 0.25, 0.5, 0.75 }.Select(turns => scene.PoseAt(turns))
                 .SelectMany(pose => scene.Draw(pose, StripPanel.Around(pose, 240f, 4f), 1f))];
 
             Color32[] own = Painted(FlightPhoto.Scene(MonarchFlight.Level)),

@@ -30,7 +30,6 @@ public sealed class ReportRowLaws
     [Test]
     [Explicit]
     [Category("Long")]
-    [Category("Faults")]
     public void ATetheredDragonfly_IsThatOfTheReport() =>
         Compare(row => Best(row) && Begins(row, "tethered dragonfly") && !Begins(row, "tethered dragonfly in still air"), 1,
             done => DragonflyRows.Tethered(s_Coarse, done), 0.05, 0.03, false);
@@ -59,7 +58,6 @@ public sealed class ReportRowLaws
     [Test]
     [Explicit]
     [Category("Long")]
-    [Category("Faults")]
     public void MothAndFirefly_AreThoseOfTheReport()
     {
         Compare(row => Begins(row, "painted-lichen-moth, free flight"), 1,

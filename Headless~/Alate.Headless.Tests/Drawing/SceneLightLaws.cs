@@ -10,6 +10,9 @@ public sealed class SceneLightLaws
     private static readonly float3 s_Up = new(0f, 1f, 0f), s_Sun = new(0.8f, 0.7f, 0.5f), s_Colour = new(0.5f, 0.2f, 0.1f);
     private static readonly float3 s_Sky = new(0.3f, 0.4f, 0.6f), s_Equator = new(0.2f, 0.2f, 0.1f), s_Ground = new(0.05f, 0.04f, 0.02f);
 
+    private static readonly SceneLight s_Around = new(s_Sky, s_Equator, s_Ground, s_Up, float3.zero, false, []),
+        s_SunAlone = new(float3.zero, float3.zero, float3.zero, s_Up, s_Sun, false, []);
+
     [TestCase(1f, 0f)]
     [TestCase(0.5f, 0f)]
     [TestCase(0f, 0f)]
@@ -22,7 +25,7 @@ public sealed class SceneLightLaws
         var normal = new float3(math.sqrt(1f - up * up), up, 0f);
         float3 expected = s_Colour * math.lerp(Around(up), Around(-up), 0.5f * through);
 
-        AssertNear(Light(0f).Of(Look(through, 0f, 1f), s_Colour, default, normal, normal, 1f), expected);
+        AssertNear(s_Around.Of(Look(through, 0f, 1f), s_Colour, default, normal, normal, 1f), expected);
 
         static float3 Around(float up) => math.lerp(s_Equator, up > 0f ? s_Sky : s_Ground, math.abs(up));
     }
@@ -36,12 +39,12 @@ public sealed class SceneLightLaws
     public void TheSun_FallsByTheCosine_OnEitherSide_AndByTheShareOfItThatIsNotInShadow(float degrees)
     {
         math.sincos(math.radians(degrees), out float sin, out float cos);
-        float3 normal = new(sin, cos, 0f), dark = Dark().Of(Look(0.6f, 0f, 1f), s_Colour, default, normal, normal, 0f);
+        float3 normal = new(sin, cos, 0f), dark = s_SunAlone.Of(Look(0.6f, 0f, 1f), s_Colour, default, normal, normal, 0f);
         float3 passes = cos > 0f ? s_Colour * cos : s_Colour * (0.35f + 0.65f * s_Colour) * (-0.6f * cos);
 
         AssertNear(dark, float3.zero);
-        AssertNear(Dark().Of(Look(0.6f, 0f, 1f), s_Colour, default, normal, normal, 0.25f), 0.25f * s_Sun * passes);
-        float3 turned = Dark().Of(Look(0.6f, 0f, 1f) with { IsTwoSided = true }, s_Colour, default, -normal, normal, 1f);
+        AssertNear(s_SunAlone.Of(Look(0.6f, 0f, 1f), s_Colour, default, normal, normal, 0.25f), 0.25f * s_Sun * passes);
+        float3 turned = s_SunAlone.Of(Look(0.6f, 0f, 1f) with { IsTwoSided = true }, s_Colour, default, -normal, normal, 1f);
         AssertNear(turned, s_Sun * passes);
     }
 
@@ -53,7 +56,7 @@ public sealed class SceneLightLaws
     public void AGleam_FallsByThePowerOfTheHalfAngle(float degrees, float shine)
     {
         math.sincos(math.radians(degrees), out float sin, out float cos);
-        float3 gleam = Dark().Of(Look(0f, 0.3f, shine), float3.zero, default, s_Up, new float3(sin, cos, 0f), 1f);
+        float3 gleam = s_SunAlone.Of(Look(0f, 0.3f, shine), float3.zero, default, s_Up, new float3(sin, cos, 0f), 1f);
 
         AssertNear(gleam, s_Sun * 0.3f * math.pow(math.cos(math.radians(0.5f * degrees)), shine));
     }
@@ -65,16 +68,12 @@ public sealed class SceneLightLaws
     public void ALamp_FallsByTheSquareOfItsDistance_AndEndsAtItsRange(float away)
     {
         var lamp = new SceneLamp(new float3(1f, away + 1f, 0f), new float3(0.4f, 0.5f, 0.6f), 2f);
-        SceneLight light = Dark() with { Sun = float3.zero, Lamps = [lamp] };
+        SceneLight light = s_SunAlone with { Sun = float3.zero, Lamps = [lamp] };
         float3 seen = light.Of(Look(0f, 0f, 1f), s_Colour, new float3(1f, 1f, 0f), s_Up, s_Up, 1f);
 
         float end = math.saturate(1f - math.pow(away / 2f, 4f));
         AssertNear(seen, s_Colour * new float3(0.4f, 0.5f, 0.6f) * end * end / (away * away));
     }
-
-    private static SceneLight Light(float sun) => new(s_Sky, s_Equator, s_Ground, s_Up, sun * s_Sun, false, []);
-
-    private static SceneLight Dark() => new(float3.zero, float3.zero, float3.zero, s_Up, s_Sun, false, []);
 
     private static SceneLook Look(float through, float gloss, float shine) => new(null, 1f, false, false, false, through, gloss, shine);
 

@@ -34,7 +34,6 @@ namespace Alate.Tests.FreeFlights
         [Test]
         [Explicit]
         [Category("Long")]
-        [Category("Faults")]
         public void WhereTwoSpeedsDoNotMix_ATableGetsMore()
         {
             using var insect = new FlyingInsect("swallowtail");

@@ -74,6 +74,7 @@ internal sealed class PlantedMutantTests
         public sealed class SlowTests
         {
             [Test] public void Slow() => Assert.That(Tiny.Slow(2f), Is.EqualTo(14f));
+            [Test, Explicit, Category("Long")] public void Slower() => Assert.Fail("it is as long as any");
         }
         [TestFixture, Explicit]
         public sealed class ExplicitTests

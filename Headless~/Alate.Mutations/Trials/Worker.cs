@@ -82,19 +82,19 @@ internal static class Worker
 
     /// <summary>
     /// Returns true for a test of the plain run, neither Long nor explicit, and for one of the category Faults, which that run leaves out
-    /// for its length alone.
+    /// for its length alone. A test that says neither is as its class.
     /// </summary>
     private static bool IsTried(ITest test)
     {
-        bool isPlain = true;
         for (ITest around = test; around != null; around = around.Parent)
         {
             if (around.Properties["Category"].Contains("Faults"))
                 return true;
-            isPlain &= around.RunState is not RunState.Explicit && !around.Properties["Category"].Contains("Long");
+            if (around.RunState is RunState.Explicit || around.Properties["Category"].Contains("Long"))
+                return false;
         }
 
-        return isPlain;
+        return true;
     }
 
     /// <summary>Tests, and all suites that they are in.</summary>

@@ -133,7 +133,7 @@ namespace Alate.Editor.Tests
         [TestCase("monarch", DrawnKind.Silhouette, 320)]
         [TestCase("scalloped", DrawnKind.Noisy, 500, Explicit = true, Category = "Long")]
         [TestCase("monarch", DrawnKind.Hard, 500, Explicit = true, Category = "Long")]
-        [TestCase("monarch", DrawnKind.Transparent, 320, Explicit = true, Category = "Long")]
+        [TestCase("monarch", DrawnKind.Transparent, 320, Explicit = true, Category = "Long,Faults")]
         [TestCase("scalloped", DrawnKind.Drawing, 500, Explicit = true, Category = "Long")]
         [TestCase("scalloped", DrawnKind.Silhouette, 500, Explicit = true, Category = "Long")]
         [TestCase("monarch", DrawnKind.Noisy, 500, Explicit = true, Category = "Long")]

@@ -162,10 +162,8 @@ namespace Alate.Tests.Flight
         {
             using (var table = new TrimTable(new[] { 0f, k_Top }, new[] { -0.3f, 0f, 0.2f }))
             {
-                for (int point = 0; point < 4; point++)
-                    table.Set(point / 3, point % 3, new float[TrimPoint.Floats]);
-                table.Open(1, 0);
-                table.Set(1, 1, new float[TrimPoint.Floats]);
+                foreach ((int s, int c) in new[] { (0, 0), (0, 1), (0, 2), (1, 1) })
+                    table.Set(s, c, new float[TrimPoint.Floats]);
                 table.Fill();
                 foreach (float wanted in new[] { -9f, 9f })
                 {

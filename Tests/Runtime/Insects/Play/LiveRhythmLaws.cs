@@ -66,9 +66,7 @@ namespace Alate.Tests.Play
             Mesh both = Keep(Both());
             InsectWings insect = Hatch(made =>
             {
-                made.Wings[0].Renderer.GetComponent<MeshFilter>().sharedMesh = both;
-                made.Wings[0].Part = WingPart.Submesh;
-                made.Wings[0].Skeleton = null;
+                TakeOneOf(both, made.Wings[0]);
                 made.Wings.Add(new Wing
                 {
                     Renderer = made.Wings[0].Renderer,
@@ -120,12 +118,7 @@ namespace Alate.Tests.Play
         public IEnumerator OnlyVerticesOfWings_HaveJoints()
         {
             Mesh both = Keep(Both());
-            InsectWings insect = Hatch(made =>
-            {
-                made.Wings[0].Renderer.GetComponent<MeshFilter>().sharedMesh = both;
-                made.Wings[0].Part = WingPart.Submesh;
-                made.Wings[0].Skeleton = null;
-            });
+            InsectWings insect = Hatch(made => TakeOneOf(both, made.Wings[0]));
             yield return Frames(3);
             MeshTemplate template = insect.Live.meshes.Find(mesh => mesh.wings.Contains(insect.Live.wings[0])).template;
             var joints = new List<Vector4>();
@@ -135,6 +128,14 @@ namespace Alate.Tests.Play
             Assert.That(held.Min(), Is.Zero);
             Assert.That(held.Max(), Is.InRange(1f, template.JointCount - 1f));
             Assert.That(template.Skinned.GetTriangles(1).Select(vertex => joints[vertex].x), Is.All.Negative);
+        }
+
+        // The first submesh is the wing.
+        private static void TakeOneOf(Mesh both, Wing wing)
+        {
+            wing.Renderer.GetComponent<MeshFilter>().sharedMesh = both;
+            wing.Part = WingPart.Submesh;
+            wing.Skeleton = null;
         }
 
         private static Mesh Both()
