@@ -60,6 +60,9 @@ public sealed class StrictnessTests
         Assert.That((bool)transform, Is.False);
         Assert.That(() => made.name, Throws.TypeOf<MissingReferenceException>());
         Assert.That(() => transform.position, Throws.TypeOf<MissingReferenceException>());
+        MeshRenderer renderer = new GameObject("b").AddComponent<MeshRenderer>();
+        Object.DestroyImmediate(renderer.gameObject);
+        Assert.That(() => renderer.motionVectorGenerationMode = MotionVectorGenerationMode.Camera, Throws.TypeOf<MissingReferenceException>());
     }
 
     [Test]

@@ -42,7 +42,22 @@ public class Renderer : Component, IStateful, IReferring
     public int sortingLayerID { get; set; }
     public int rendererPriority { get; set; }
     public bool allowOcclusionWhenDynamic { get; set; } = true;
-    public MotionVectorGenerationMode motionVectorGenerationMode { get; set; } = MotionVectorGenerationMode.Object;
+
+    public MotionVectorGenerationMode motionVectorGenerationMode
+    {
+        get
+        {
+            CheckAlive();
+            return field;
+        }
+
+        set
+        {
+            CheckAlive();
+            field = value;
+        }
+    } = MotionVectorGenerationMode.Object;
+
     public LightProbeUsage lightProbeUsage { get; set; } = LightProbeUsage.BlendProbes;
     public ReflectionProbeUsage reflectionProbeUsage { get; set; } = ReflectionProbeUsage.BlendProbes;
     public Transform probeAnchor { get; set; }
