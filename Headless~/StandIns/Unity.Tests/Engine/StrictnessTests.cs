@@ -62,7 +62,8 @@ public sealed class StrictnessTests
         Assert.That(() => transform.position, Throws.TypeOf<MissingReferenceException>());
         MeshRenderer renderer = new GameObject("b").AddComponent<MeshRenderer>();
         Object.DestroyImmediate(renderer.gameObject);
-        Assert.That(() => renderer.motionVectorGenerationMode = MotionVectorGenerationMode.Camera, Throws.TypeOf<MissingReferenceException>());
+        Assert.That(
+            () => renderer.motionVectorGenerationMode = MotionVectorGenerationMode.Camera, Throws.TypeOf<MissingReferenceException>());
     }
 
     [Test]
