@@ -37,7 +37,7 @@ internal sealed class WakeGlb(WakeLoop loop) : IGlbLoop
         var attributes = new JsonObject
         {
             ["POSITION"] = m_Scene.Buffer.AddVectors(first),
-            ["COLOR_0"] = m_Scene.Buffer.AddColours(Array.ConvertAll(loop.Colours(sheet), Bytes)),
+            ["COLOR_0"] = m_Scene.Buffer.AddColours(Array.ConvertAll(loop.Colours(sheet), colour => (Color32)(Color)(Vector4)colour)),
         };
         JsonObject primitive = m_Scene.Primitive(attributes, loop.Triangles(sheet), first.Length, material);
         var targets = new JsonArray();
@@ -58,10 +58,4 @@ internal sealed class WakeGlb(WakeLoop loop) : IGlbLoop
     }
 
     private float3[] Places(int sheet, int key) => Array.ConvertAll(loop.Places(sheet, key), FileAxes.ToGltf);
-
-    private static Color32 Bytes(float4 colour)
-    {
-        var bytes = (int4)math.round(255f * colour);
-        return new Color32((byte)bytes.x, (byte)bytes.y, (byte)bytes.z, (byte)bytes.w);
-    }
 }

@@ -66,7 +66,7 @@ internal static class IndexedPng
             if (changed[k] == 0)
                 continue;
             (left, right) = (Math.Min(left, k % width), Math.Max(right, k % width + 1));
-            (top, bottom) = (Math.Min(top, k / width), Math.Max(bottom, k / width + 1));
+            (top, bottom) = (Math.Min(top, k / width), k / width + 1);
         }
 
         return right == 0 ? (0, 0, 1, 1) : (left, top, right, bottom);

@@ -65,6 +65,13 @@ namespace Alate.Tests.Insects
             Assert.That(flexible, Is.LessThan(rigid), "the wings bend towards one another");
         }
 
+        [Test]
+        public void APlansSpeed_IsTheCruiseOfEveryInsect()
+        {
+            foreach (InsectDefinition insect in InsectCatalogue.All.Where(one => one.Name != "snailfish"))
+                Assert.That(FlightPlan.CruiseOf(insect), Is.EqualTo(new FlightPlan().Speed), insect.Name);
+        }
+
         private static FlightRecord Fly(string species, InsectVariant variant) =>
             TetheredFlight.Fly(
                 new FlightPlan { Species = species, Variant = variant, Speed = FlightPlan.CruiseOf(InsectCatalogue.Find(species)) });

@@ -83,6 +83,7 @@ namespace Alate.Tests.Cli
             "{ 'mean': 0, 'harmonics': [[1, 2, 3]] }", "wings.all.flap.harmonics[0]: it must be an amplitude and a phase, not 3 values.")]
         [TestCase("{ 'mean': 0, 'harmonics': [[1,2],[1,2],[1,2],[1,2],[1,2],[1,2],[1,2],[1,2],[1,2]] }",
             "wings.all.flap.harmonics: it has 9; at most 8 are taken.")]
+        [TestCase("{ 'mean': 0, 'harmonic': [[1, 2]] }", "wings.all.flap.harmonic: unknown key; known: mean, harmonics, table.")]
         [TestCase("{ 'mean': 0, 'table': [] }", "wings.all.flap: a table excludes mean and harmonics.")]
         [TestCase("{ 'table': [[0, 1], [1, 1]] }", "wings.all.flap.table: it has 2 rows; a beat needs at least four, from 0 to 1.")]
         [TestCase(
@@ -127,6 +128,8 @@ namespace Alate.Tests.Cli
             "wings.all.flap.table: it runs from 0.0001 to 1; it must run from 0 to 1.")]
         [TestCase("{ 'table': [[0, 0], [0.25, 1], [0.5, 0], [0.75, 1], [1, 0.00105]] }",
             "wings.all.flap.table: it is not periodic: 0° at 0 and 0.001° at 1.")]
+        [TestCase("{ 'table': [[0, 50], [0.25, 51], [0.5, 50], [0.75, 51], [1, 50.002]] }",
+            "wings.all.flap.table: it is not periodic: 50° at 0 and 50.002° at 1.")]
         [TestCase("{ 'table': [[0, 0], [0.2195, 1], [0.439, 0], [0.6585, 1], [1, 0]] }",
             "wings.all.flap.table: there is a hole between 0.6585 and 1; the rows must lie equally apart.")]
         [TestCase("{ 'table': [[0, 0], [0.225, 1], [0.45, 0], [0.675, 1], [1, 0]] }",

@@ -33,6 +33,14 @@ namespace Alate.Tests.Cli
             Assert.That(new StripRun(bones, 24).Droop(weight), Is.EqualTo(BeamTheory.Droop(weight)).Within(percent).Percent);
 
         [Test]
+        public void AStrip_SwaysAsTheBeam_OverItsLastBeat()
+        {
+            Complex ours = new StripRun(4, 48).Shaken(0.5), beam = BeamTheory.Shaken(0.5, StripRun.Damping);
+
+            Assert.That(ours.Magnitude, Is.EqualTo(beam.Magnitude).Within(5).Percent);
+        }
+
+        [Test]
         public void AStrip_FlapsAsTheBeam()
         {
             Complex ours = new StripRun(4, 96).Flapped(0.5), beam = BeamTheory.Turned(0.5, StripRun.Damping);

@@ -32,6 +32,7 @@ public sealed class InsectFileImporterTests
     [Test]
     public void AnInsect_IsAPrefabWhoseWingsBeat_WithAllItsPartsInTheAsset()
     {
+        int before = Resources.FindObjectsOfTypeAll<InsectWings>().Length;
         using ImportedAsset asset = Import(Moth("firefly", "\"massMilligrams\": 33"));
         var main = (GameObject)asset.Main;
         InsectWings insect = main.GetComponent<InsectWings>();
@@ -51,6 +52,7 @@ public sealed class InsectFileImporterTests
         Assert.That(asset.Dependencies, Is.Empty);
         Assert.That(asset.Objects.Values.All(AssetLock.IsLocked), "what is edited would be lost");
         Assert.That(main.GetComponent<InsectFlight>() == null, Is.True);
+        Assert.That(Resources.FindObjectsOfTypeAll<InsectWings>(), Has.Length.EqualTo(before + 1), "none that no asset holds");
     }
 
     [Test]

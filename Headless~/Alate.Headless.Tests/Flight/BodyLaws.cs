@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using Alate.Flight;
 using NUnit.Framework;
+using StandIns;
 using Unity.Jobs.LowLevel.Unsafe;
 using Unity.Mathematics;
 
@@ -35,6 +36,16 @@ namespace Alate.Tests.FreeFlights
             Assert.That(Math.Abs(gained.x - impulse.X), Is.LessThan(1e-4 * weight));
             Assert.That(Math.Abs(gained.y - impulse.Y), Is.LessThan(1e-4 * weight));
             Assert.That(Math.Abs(gained.z - impulse.Z), Is.LessThan(1e-4 * weight));
+        }
+
+        [Test]
+        public void AWindTunnel_LeavesNoMemory()
+        {
+            int live = NativeMemoryLedger.LiveCount;
+            using (new FlightTunnel(m_Insect.Model, 2))
+                Assert.That(NativeMemoryLedger.LiveCount, Is.GreaterThan(live));
+
+            Assert.That(NativeMemoryLedger.LiveCount, Is.EqualTo(live), NativeMemoryLedger.Describe());
         }
 
         [Test]

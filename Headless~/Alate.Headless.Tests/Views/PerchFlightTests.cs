@@ -76,6 +76,23 @@ public sealed class PerchFlightTests
     }
 
     [Test]
+    public void NormalsOfAState_AreUnitVectors()
+    {
+        const int k_Head = 24, k_Flight = 32, k_Wing = 24;
+        using var scene = new SceneInsect(ViewSettings.Landing(InsectCatalogue.Find("monarch")));
+        var state = new StateBuffer();
+        scene.Advance(state);
+        ReadOnlySpan<byte> wing = state.Content.Span[(k_Head + k_Flight)..];
+        int vertices = (int)BitConverter.ToUInt32(wing), joints = (int)BitConverter.ToUInt32(wing[4..]);
+        ReadOnlySpan<sbyte> normals = MemoryMarshal.Cast<byte, sbyte>(
+            wing.Slice(k_Wing + 2 * 12 * joints + 8 * vertices, 4 * vertices));
+
+        Assert.That(vertices, Is.GreaterThan(100));
+        for (int k = 0; k < normals.Length; k += 4)
+            Assert.That(math.length(new float3(normals[k], normals[k + 1], normals[k + 2])), Is.InRange(125f, 127.5f), $"vertex {k / 4}");
+    }
+
+    [Test]
     [Explicit]
     [Category("Long")]
     [Category("Faults")]
