@@ -142,6 +142,17 @@ public sealed class BakedUsdTests : BakedFilesFixture
     public void Names_AreThoseThatAPrimMayHave(string text, string name) => Assert.That(UsdaWriter.Name(text), Is.EqualTo(name));
 
     [Test]
+    public void TheExtent_HoldsTheCornersOfAllMeshes()
+    {
+        UsdaFile file = Open("monarch");
+        float3[] extent = file.Vectors("/monarch.extent");
+
+        Assert.That(extent, Has.Length.EqualTo(2));
+        foreach (float3 corner in file.Of("Mesh").SelectMany(mesh => file.Vectors(mesh + ".points")))
+            Assert.That(math.all(corner >= extent[0] - 1e-6f) && math.all(corner <= extent[1] + 1e-6f), Is.True, $"{corner}");
+    }
+
+    [Test]
     public void ANameThatIsUsed_GetsANumber()
     {
         var used = new HashSet<string>();

@@ -53,6 +53,9 @@ internal sealed class UsdaFile
                 m_Values.Add(Place(open, line), null);
             }
         }
+
+        if (open.Count > 0)
+            throw new InvalidDataException($"/{string.Join('/', open)} has no end.");
     }
 
     /// <summary>Paths of the prims of a type, in their order.</summary>

@@ -24,12 +24,14 @@ namespace Alate.Tests.Cli
         [Test]
         [Explicit]
         [Category("Long")]
+        [Category("Faults")]
         public void TheMonarchBesideMeasurements_IsThatOfThePage() =>
             Compare("flights beside measurements", FlightFigures.Measured(), "");
 
         [Test]
         [Explicit]
         [Category("Long")]
+        [Category("Faults")]
         public void TheSlowestDragonflyBesideMeasurements_IsThatOfThePage() =>
             Compare("the dragonfly beside measurements", FlightFigures.MeasuredDragonflies([MeasuredDragonfly.Flights[0]]), "", 3);
 

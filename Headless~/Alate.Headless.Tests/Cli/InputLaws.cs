@@ -145,6 +145,33 @@ public sealed class InputLaws
         Assert.That((plan.Seconds, plan.Steps), Is.EqualTo((seconds, (int)System.Math.Round(seconds / 0.05))));
     }
 
+    [Test]
+    public void FilesThatWereRead_AreNotedUntilTheNotesEnd()
+    {
+        using (ReadFiles.Begin())
+        {
+            ReadFiles.Add("a");
+            ReadFiles.Add("b");
+            ReadFiles.Add("a");
+            Assert.That(ReadFiles.Paths, Is.EqualTo(new[] { "a", "b" }));
+        }
+
+        ReadFiles.Add("c");
+        Assert.That(ReadFiles.Paths, Is.Empty);
+    }
+
+    [Test]
+    public void AGust_IsToldAlongThreeAxes()
+    {
+        var options = new FreeOptions();
+        var command = new System.CommandLine.Command("fly");
+        options.AddTo(command);
+
+        Assert.That(options.Plan(command.Parse(["--free", "--gust", "1,-2,3"]), "monarch", null, null).Gust,
+            Is.EqualTo(new Unity.Mathematics.float3(1f, -2f, 3f)));
+        Assert.That(options.Plan(command.Parse(["--free"]), "monarch", null, null).Gust, Is.EqualTo(default(Unity.Mathematics.float3)));
+    }
+
     // Behind a command nothing holds files back any more.
     [Test]
     public void AFolder_IsHeldWhileACommandRuns_AndWrittenAtOnceOtherwise()

@@ -272,7 +272,7 @@ namespace Alate.Tests.Cli
             Assert.That(UnitDoubts.AboutDistance("It", float3.zero, 0.05), Is.Null, "The middle itself.");
             Assert.That(UnitDoubts.AboutDistance("It", new float3(3e-3f, 0f, 0f), 0.05), Is.Null);
             Assert.That(UnitDoubts.AboutDistance("It", new float3(3e-6f, 0f, 0f), 0.05),
-                Does.Contain("0.003 mm").And.Contain("metres meant"));
+                Does.Contain("0.003 mm").And.Contain("beside wings of 50 mm").And.Contain("metres meant"));
             Assert.That(UnitDoubts.AboutStiffness("wing", 3e-5, 1e-4), Is.Null);
             Assert.That(UnitDoubts.AboutStiffness("wing", 1e-7, 1e-4), Is.Not.Null);
             Assert.That(UnitDoubts.AboutStiffness("wing", 1e2, 1e-4), Does.Contain("1E+06"));

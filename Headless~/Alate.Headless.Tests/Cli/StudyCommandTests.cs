@@ -97,6 +97,37 @@ public sealed class StudyCommandTests
         Assert.That(lifts, Is.EqualTo(rows.Select(row => Number(row["lift_over_weight"]))));
     }
 
+    [Test]
+    public void Sensitivities_HaveARowForEachMeasureAndParameter_FromTheRunsOfTheTable()
+    {
+        using var run = new CommandRun();
+        string file = run.Write("s.study.json", """
+            {
+              "version": 1, "insect": "painted-lichen-moth", "design": "saltelli", "count": 3,
+              "options": ["--speed", "0", "--pitch", "30", "--substeps", "16"],
+              "parameters": [{ "key": "elasticity", "from": 0.5, "to": 2 }, { "key": "insect.beat.frequencyHertz", "from": 20, "to": 30 }],
+              "measures": ["lift_over_weight", "twist_pp_deg"]
+            }
+            """);
+        Assert.That(run.Run("study", file, "--out", run.Out), Is.Zero, run.Errors);
+        Dictionary<string, string>[] runs = Rows(run.Out), rows = Table(Path.Combine(run.Out, "sensitivity.csv"));
+
+        Assert.That(runs, Has.Length.EqualTo(3 * (2 + 2)));
+        Assert.That(rows.Select(row => (row["measure"], row["parameter"])), Is.EqualTo(new[]
+        {
+            ("lift_over_weight", "elasticity"), ("lift_over_weight", "insect.beat.frequencyHertz"),
+            ("twist_pp_deg", "elasticity"), ("twist_pp_deg", "insect.beat.frequencyHertz"),
+        }));
+        foreach (IGrouping<string, Dictionary<string, string>> measure in rows.GroupBy(row => row["measure"]))
+        {
+            Sensitivity[] shares = Sensitivity.Of([.. runs.Select(row => Number(row[measure.Key]))], 2);
+            Assert.That(measure.Select(row => Number(row["first_order"])), Is.EqualTo(shares.Select(share => share.First)).Within(1e-6));
+            Assert.That(measure.Select(row => Number(row["total"])), Is.EqualTo(shares.Select(share => share.Total)).Within(1e-6));
+        }
+
+        Assert.That(run.Output, Does.Contain("first_order").And.Not.Match(@"-0(\.0*)?(\s|$)"), "no minus before nothing");
+    }
+
     // A killed run leaves its file at any byte.
     [Test]
     public void AStudyThatWasStoppedAnywhere_GoesOn_AndWritesTheSameBytes([Values(0.0, 0.3, 0.62, 0.99)] double share)

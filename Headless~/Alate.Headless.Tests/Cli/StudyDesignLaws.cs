@@ -1,6 +1,7 @@
 using System;
 using System.Collections.Generic;
 using System.Linq;
+using Alate.Catalogue;
 using Alate.Cli;
 using NUnit.Framework;
 
@@ -179,6 +180,27 @@ public sealed class StudyDesignLaws
         Assert.That(goal.Order(rows, ["lift", "power", "twist"]), Is.EqualTo(new[] { 2, 5, 1, 0, 3, 4 }));
         Assert.That(rows.Select(row => goal.Holds(row, ["lift", "power", "twist"])),
             Is.EqualTo(new[] { false, true, true, false, false, true }));
+    }
+
+    // Over the size of the end that is missed; of an end at nought in units.
+    [TestCase(1, 2, 1.5, 0)]
+    [TestCase(4, 8, 3, 0.25)]
+    [TestCase(4, 8, 10, 0.25)]
+    [TestCase(-4, 8, -6, 0.5)]
+    [TestCase(0, 8, -3, 3)]
+    public void ABound_TellsByWhatShareItIsMissed(double least, double most, double value, double missed) =>
+        Assert.That(new StudyBound("lift", least, most).MissedBy(value), Is.EqualTo(missed));
+
+    [Test]
+    public void AMeasure_IsOfTheFirstWing_OrOfTheWingBeforeTheDot()
+    {
+        InsectDefinition dragonfly = InsectCatalogue.Find("dragonfly");
+        string ofWing = StudyMeasure.Names.Last();
+
+        Assert.That(StudyMeasure.Find(ofWing, dragonfly).Name, Is.EqualTo(ofWing));
+        Assert.That(StudyMeasure.Find($"{dragonfly.Wings[1].Name}.{ofWing}", dragonfly), Is.Not.Null);
+        Assert.That(StudyMeasure.Find("." + ofWing, dragonfly), Is.Null, "no wing has that name");
+        Assert.That(StudyMeasure.Find("fin." + ofWing, dragonfly), Is.Null);
     }
 
     private static double Height(string landscape, double[] point)

@@ -118,6 +118,27 @@ public sealed class ValidationLaws
         }
     }
 
+    [Test]
+    public void TheAttackOfAHalfStroke_IsTheMeanOverTheAreaOfLongAndShortWings()
+    {
+        FlightRecord flight = TetheredFlight.Fly(
+            new FlightPlan { Species = "dragonfly", Speed = 1.3, Substeps = 24, Patches = 64, RecordsAir = true });
+        var means = new List<double>();
+        for (int k = 0; k < flight.Wings[0].Frames.Count; k++)
+        {
+            if (Math.Abs(flight.Wings[0].Frames[k].Phase / (2 * Math.PI) - 0.25) >= 0.05)
+                continue;
+            List<(double Area, double Attack)> strips = [.. flight.Wings.SelectMany(wing => wing.Frames[k].Strips
+                .Where(strip => strip.Area > 0)
+                .Select(strip => (strip.Area * Math.Pow(wing.Wing.Preset.Size.wingLength, 2), (double)strip.Attack)))];
+            means.Add(strips.Sum(strip => strip.Area * strip.Attack) / strips.Sum(strip => strip.Area));
+        }
+
+        double weight = 9.81 * flight.Wings[0].Wing.Preset.Size.insectMass;
+        Assert.That(flight.Wings.Select(wing => wing.Wing.Preset.Size.wingLength).Distinct().Count(), Is.EqualTo(2));
+        Assert.That(HalfStrokes.Of(flight, weight).DownAttack, Is.EqualTo(180 / Math.PI * means.Average()).Within(1e-3));
+    }
+
     // Half of a last digit of one number alone moves the lift by less than the band; the band of finer digits is narrower.
     [Test]
     [Explicit]

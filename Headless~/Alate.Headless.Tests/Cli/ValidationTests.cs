@@ -192,6 +192,14 @@ namespace Alate.Tests.Cli
             Assert.That(row with { Fine = double.NaN }, Has.Property(nameof(ValidationRow.IsInside)).True);
         }
 
+        // Three per cent, or a fifth of a band.
+        [TestCase(97.05, 100, 100.1, true)]
+        [TestCase(96.8, 100, 100.1, false)]
+        [TestCase(96.8, 90, 106.1, true)]
+        [TestCase(96.8, 90, 105.9, false)]
+        public void ARow_IsConvergedWhereItHardlyChanges(double ours, double low, double high, bool converged) =>
+            Assert.That(new ValidationRow("", "", low, high, "", "two", "", ours, 100).IsConverged, Is.EqualTo(converged));
+
         [Test]
         public void ThePage_HasTheRowsOutsideFirst_WithTheirExperiments_AndVariantsInAFold()
         {

@@ -9,6 +9,7 @@ using Alate.Cli;
 using Alate.Drawing;
 using Alate.Wake;
 using NUnit.Framework;
+using StandIns;
 using Unity.Mathematics;
 using Unity.StandIns;
 using UnityEngine;
@@ -40,6 +41,19 @@ public sealed class WakeShapeLaws
     {
         m_Wake.Dispose();
         m_Windy.Dispose();
+    }
+
+    [Test]
+    public void AWake_LeavesNoMemory()
+    {
+        int live = NativeMemoryLedger.LiveCount;
+        using (var wake = new WakeFlight(m_Wake.Flight, new WakePlan { StepsPerBeat = k_Steps, SpanPanels = 5, Keep = 0.5 }))
+        {
+            wake.Run(_ => { });
+            Assert.That(NativeMemoryLedger.LiveCount, Is.GreaterThan(live));
+        }
+
+        Assert.That(NativeMemoryLedger.LiveCount, Is.EqualTo(live), NativeMemoryLedger.Describe());
     }
 
     // The strongest circulation, above 0, at the tip and the begin of the beat; the strongest one below 0 at the root and its end.

@@ -5,6 +5,7 @@ using System.Threading;
 using Alate.Catalogue;
 using Alate.Cli;
 using NUnit.Framework;
+using StandIns;
 using Unity.Mathematics;
 
 namespace Alate.Tests.Views;
@@ -92,6 +93,16 @@ public sealed class LiveWakeTests
         Assert.That(Read(flight).Sheets[0], Is.Empty, "of the other air");
         Beat(flight, 0.3);
         Assert.That(Rows(flight), Is.InRange(3, before), "rows since then alone");
+    }
+
+    [Test]
+    public void AFlightWithAWake_LeavesNoMemory()
+    {
+        int live = NativeMemoryLedger.LiveCount;
+        using (LiveFlight flight = Start("fishfly"))
+            Beat(flight, 0.5);
+
+        Assert.That(NativeMemoryLedger.LiveCount, Is.EqualTo(live), NativeMemoryLedger.Describe());
     }
 
     // Places of a plate that beats up and down, twice as far in the flight before.

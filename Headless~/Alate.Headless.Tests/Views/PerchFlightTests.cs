@@ -75,11 +75,13 @@ public sealed class PerchFlightTests
         Assert.That((bool)scene.Scene["settings"]["landing"], Is.True);
     }
 
-    [Test]
-    public void NormalsOfAState_AreUnitVectors()
+    [TestCase(false)]
+    [TestCase(true)]
+    public void NormalsOfAState_AreUnitVectors(bool lands)
     {
         const int k_Head = 24, k_Flight = 32, k_Wing = 24;
-        using var scene = new SceneInsect(ViewSettings.Landing(InsectCatalogue.Find("monarch")));
+        InsectDefinition monarch = InsectCatalogue.Find("monarch");
+        using var scene = new SceneInsect(lands ? ViewSettings.Landing(monarch) : ViewSettings.Of(monarch, InsectVariant.Standard));
         var state = new StateBuffer();
         scene.Advance(state);
         ReadOnlySpan<byte> wing = state.Content.Span[(k_Head + k_Flight)..];
