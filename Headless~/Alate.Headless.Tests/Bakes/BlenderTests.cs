@@ -50,7 +50,7 @@ public sealed class BlenderTests : BakedFilesFixture
         string folder = Path.Combine(Files.Folder("monarch --clips cruise,hover"), "monarch_vat", below);
         string[] chosen = options.Split(' ', StringSplitOptions.RemoveEmptyEntries);
 
-        (int code, string output) = Run([Path.Combine(Scripts, "openvat.py"), "--", folder, .. chosen]).Result;
+        (int code, string output) = Run([Path.Combine(Scripts, "openvat.py"), "--", folder, .. chosen]).GetAwaiter().GetResult();
 
         Assert.That(code, Is.Not.Zero);
         Assert.That(output.Split('\n').Single(line => line.Contains(told)), Does.Not.Contain("Traceback"));
@@ -61,7 +61,7 @@ public sealed class BlenderTests : BakedFilesFixture
     {
         string script = Path.Combine(PackageRoot.Find(), "Headless~", "Alate.Headless.Tests", "Bakes", "Blender", "openvat_places.py");
         IEnumerable<string> at = frames.Select(frame => frame.ToString(CultureInfo.InvariantCulture));
-        (int code, string output) = Run([script, "--", Scripts, folder, clip, .. at]).Result;
+        (int code, string output) = Run([script, "--", Scripts, folder, clip, .. at]).GetAwaiter().GetResult();
         Assert.That(code, Is.Zero, output.Length > 2000 ? output[^2000..] : output);
         return [.. output.Split('\n').Where(line => line.StartsWith("places ")).Select(line => JsonDocument.Parse(line[7..]).RootElement
             .EnumerateArray().Select(place => new float3(place[0].GetSingle(), place[1].GetSingle(), place[2].GetSingle())).ToArray())];
