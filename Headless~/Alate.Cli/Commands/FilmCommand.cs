@@ -30,6 +30,7 @@ internal static class FilmCommand
         {
             Description = "Nothing lies behind the insect, for a ground of your own: pictures and a .webm video have an opacity.",
         };
+        Option<BackdropLook?> backdrop = FlightOptions.Backdrop("the insect");
         Option<int?> beats = Numbers.OptionalCount("--beats", "N", 1, FilmPlan.MostBeats,
             $"Beats, 1 to {FilmPlan.MostBeats}. [default: {FilmPlan.DefaultBeats}, with --free {FilmPlan.FreeBeats}]");
         Option<int?> frames = Numbers.OptionalCount(
@@ -67,13 +68,13 @@ internal static class FilmCommand
         var command = new Command(
             "film", "Films an insect in slow motion, or a sample scene in real time: an animated picture, and its frames.")
         {
-            species, variant, speed, free, compare, wake, beats, frames, rate, turn, width, view, transparent, sound, slowSound,
+            species, variant, speed, free, compare, wake, beats, frames, rate, turn, width, view, transparent, backdrop, sound, slowSound,
             video, folder,
         };
         foreach (Option option in scenes.All)
             command.Options.Add(option);
         HelpExamples.Set(command, k_Examples);
-        Option[] ofInsects = [variant, speed, free, compare, wake, beats, frames, view, transparent, sound, slowSound];
+        Option[] ofInsects = [variant, speed, free, compare, wake, beats, frames, view, transparent, backdrop, sound, slowSound];
         command.SetAction(parsed =>
         {
             if (scenes.Plan(parsed) is { } shownScene)
@@ -99,6 +100,8 @@ internal static class FilmCommand
                 throw new UserException("--wake goes with one insect on the spot, neither with --free nor with --compare.");
             if (parsed.GetValue(transparent) && parsed.GetValue(compare))
                 throw new UserException("--transparent goes with one insect, not with --compare, whose words need a ground.");
+            if (parsed.GetValue(backdrop) != null && (parsed.GetValue(compare) || parsed.GetValue(transparent)))
+                throw new UserException("--backdrop is a wall behind one insect; it goes neither with --compare nor with --transparent.");
             if (parsed.GetValue(slowSound) && parsed.GetValue(sound) == null)
                 throw new UserException("--slow-sound needs --sound FILE.wav.");
             InsectVariant shown = isFree ? InsectVariant.Flight : parsed.GetValue(variant) ?? InsectVariant.Standard;
@@ -116,6 +119,7 @@ internal static class FilmCommand
                 IsFree = isFree,
                 HasWake = parsed.GetValue(wake),
                 IsTransparent = parsed.GetValue(transparent),
+                Backdrop = parsed.GetValue(backdrop),
                 Beats = parsed.GetValue(beats) ?? (isFree ? FilmPlan.FreeBeats : FilmPlan.DefaultBeats),
                 Frames = parsed.GetValue(frames) ?? (isFree ? FilmPlan.FreeFrames : FilmPlan.DefaultFrames),
                 Rate = parsed.GetValue(rate) ?? FilmPlan.DefaultRate,
@@ -209,6 +213,7 @@ internal static class FilmCommand
         + "  film dragonfly --sound dragonfly.wav\n"
         + "  film monarch --beats 6 --video monarch.mp4\n"
         + "  film monarch --transparent --video monarch.webm\n"
+        + "  film dragonfly --backdrop dark --turn 360\n"
         + "  film --scene garden --after 8 --seconds 12\n"
         + "  film --scene swarm --set Insects=100 --video swarm.mp4\n\n"
         + "Writes into the output folder:\n"

@@ -68,6 +68,8 @@ internal sealed class Film
         List<StripPanel> panels = Panels(frames.SelectMany(frame => frame).Select(seen => seen.Pose.Bounds()).ToList());
         return Concurrently.Map(frames, SampleGrid.BytesOf(Size), frame =>
         {
+            if (m_Plan.Backdrop is { } look)
+                return Before(look, frame[0].Scene, frame[0].Pose, panels[0]);
             if (m_Plan.IsTransparent)
                 return frame[0].Scene.Draw(frame[0].Pose, panels[0], PixelPage.Fineness, hasPaper: false);
             var page = new PixelPage();
@@ -90,8 +92,9 @@ internal sealed class Film
         string title = FormattableString.Invariant(
             $"{flight.Insect.DisplayName}, {slow:0.#} times slower than it beats: {flight.Wings[0].Frequency:0.#} Hz");
         string[] texts = [title, .. m_Plan.Columns.Count > 1 ? m_Plan.Columns.Select(column => column.Title) : []];
-        return m_Plan.IsTransparent
-            ? TrueColourPng.WriteFilm(Size.x, Size.y, frames, m_Plan.Rate, !m_Plan.IsFree, texts, hasOpacity: true)
+        // The 255 colours of an indexed film would show as rings on a wall.
+        return m_Plan.IsTransparent || m_Plan.Backdrop != null
+            ? TrueColourPng.WriteFilm(Size.x, Size.y, frames, m_Plan.Rate, !m_Plan.IsFree, texts, m_Plan.IsTransparent)
             : IndexedPng.Write(Size.x, Size.y, frames, m_Plan.Rate, !m_Plan.IsFree, texts);
     }
 
@@ -99,6 +102,14 @@ internal sealed class Film
     public float[] Sound() => FilmSound.Of(
         m_Flights[^1], m_Plan.IsSoundSlow ? (double)m_Plan.Rate / m_Plan.Frames : m_Flights[^1].Wings[0].Frequency,
         (double)Count / m_Plan.Rate);
+
+    private Color32[] Before(BackdropLook look, PhotoScene scene, Pose pose, StripPanel panel)
+    {
+        var wall = new Backdrop(look, Size);
+        wall.Shade(scene, pose, panel, PixelPage.Fineness, 0);
+        wall.Lay(scene.Draw(pose, panel, PixelPage.Fineness, hasPaper: false), PhotoScene.SizeOf(panel, PixelPage.Fineness), 0);
+        return wall.Pixels();
+    }
 
     // One for each column, all of one scale.
     private List<StripPanel> Panels(List<(float2 Min, float2 Max)> bounds)

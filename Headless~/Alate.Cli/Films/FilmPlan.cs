@@ -21,6 +21,9 @@ internal sealed record FilmPlan
     /// <summary>True where nothing lies behind the insect: pixels without it are seen through.</summary>
     public bool IsTransparent { get; init; }
 
+    /// <summary>Wall behind the insect; null for paper.</summary>
+    public BackdropLook? Backdrop { get; init; }
+
     public int Beats { get; init; } = DefaultBeats;
 
     /// <summary>Frames of a beat.</summary>

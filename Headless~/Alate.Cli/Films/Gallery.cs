@@ -29,21 +29,40 @@ internal static class Gallery
     /// <param name="hasWake">True where the vortex rings that the wings leave are shown.</param>
     /// <param name="insects">In their order; null for all of the catalogue.</param>
     /// <param name="hasPaper">False where nothing lies behind them.</param>
-    public static byte[] Draw(int width, bool hasWake = false, IReadOnlyList<InsectDefinition> insects = null, bool hasPaper = true)
+    /// <param name="backdrop">Wall behind them; null for paper or nothing.</param>
+    public static byte[] Draw(
+        int width, bool hasWake = false, IReadOnlyList<InsectDefinition> insects = null, bool hasPaper = true,
+        BackdropLook? backdrop = null)
     {
         insects ??= s_Catalogue;
         (PhotoScene Scene, Pose Pose)[] photos = [.. insects.Select(insect => Photo(insect, hasWake))];
         var rows = new JustifiedRows([.. photos.Select(photo => Aspect(photo.Pose))], width, k_GapOverWidth * width, k_HeightOverWidth);
         int height = (int)math.ceil(rows.Height);
-        var picture = new Color32[width * height];
-        if (hasPaper)
-            Array.Fill(picture, Paper());
-        for (int k = 0; k < photos.Length; k++)
+        int2[] corners = [.. photos.Select((_, k) => (int2)math.round(rows[k].Corner))], sizes =
+            [.. photos.Select((_, k) => (int2)math.floor(rows[k].Size))];
+        StripPanel[] panels = [.. photos.Select((photo, k) => StripPanel.Around(photo.Pose, sizes[k], k_Inset))];
+        Color32[] Painted(int k, bool onPaper) => photos[k].Scene.Draw(photos[k].Pose, panels[k], 1f, onPaper);
+        Color32[] picture;
+        if (backdrop is { } look)
         {
-            (int2 corner, int2 size) = ((int2)math.round(rows[k].Corner), (int2)math.floor(rows[k].Size));
-            Color32[] pixels = photos[k].Scene.Draw(photos[k].Pose, StripPanel.Around(photos[k].Pose, size, k_Inset), 1f, hasPaper);
-            for (int y = 0; y < size.y; y++)
-                Array.Copy(pixels, y * size.x, picture, (corner.y + y) * width + corner.x, size.x);
+            var wall = new Backdrop(look, new int2(width, height));
+            for (int k = 0; k < photos.Length; k++)
+                wall.Shade(photos[k].Scene, photos[k].Pose, panels[k], 1f, corners[k]);
+            for (int k = 0; k < photos.Length; k++)
+                wall.Lay(Painted(k, false), sizes[k], corners[k]);
+            picture = wall.Pixels();
+        }
+        else
+        {
+            picture = new Color32[width * height];
+            if (hasPaper)
+                Array.Fill(picture, Shading.Bytes(Shading.Paper));
+            for (int k = 0; k < photos.Length; k++)
+            {
+                Color32[] pixels = Painted(k, hasPaper);
+                for (int y = 0; y < sizes[k].y; y++)
+                    Array.Copy(pixels, y * sizes[k].x, picture, (corners[k].y + y) * width + corners[k].x, sizes[k].x);
+            }
         }
 
         return TrueColourPng.Write(width, height, picture, insects.Select(insect => insect.DisplayName), !hasPaper);
@@ -53,12 +72,6 @@ internal static class Gallery
     {
         (float2 min, float2 max) = pose.Bounds();
         return (max.x - min.x) / (max.y - min.y);
-    }
-
-    private static Color32 Paper()
-    {
-        var bytes = (int3)math.round(255f * Shading.Paper);
-        return new Color32((byte)bytes.x, (byte)bytes.y, (byte)bytes.z, byte.MaxValue);
     }
 
     private static Exhibit Other(string species) => new(species, 0.25, 38f, 30f);

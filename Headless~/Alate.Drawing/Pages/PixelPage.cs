@@ -115,11 +115,7 @@ internal sealed class PixelPage
                 pixels[pixel] = math.lerp(pixels[pixel], colour, covered);
         }
 
-        return Array.ConvertAll(pixels, pixel =>
-        {
-            var bytes = (int3)math.round(255f * pixel);
-            return new Color32((byte)bytes.x, (byte)bytes.y, (byte)bytes.z, byte.MaxValue);
-        });
+        return Array.ConvertAll(pixels, Shading.Bytes);
     }
 
     // What is paper in a photo leaves its neighbours as they are: insects may reach beyond their panels.

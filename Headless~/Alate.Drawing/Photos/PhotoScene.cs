@@ -10,6 +10,9 @@ internal sealed class PhotoScene
     /// <summary>Pixels of the finest part of a shadow.</summary>
     private const float k_FinestShadow = 2f;
 
+    /// <summary>Blur of a shadow on the wall behind, over the reach.</summary>
+    private const float k_WallBlur = 0.07f;
+
     /// <summary>Nearest places of a trail that are drawn, over the camera's distance.</summary>
     private const float k_NearestTrail = 0.4f;
 
@@ -129,10 +132,26 @@ internal sealed class PhotoScene
         return hasPaper ? grid.Pixels(Shading.ToLinear(Shading.Paper)) : grid.Cutout();
     }
 
+    /// <summary>The light on a wall behind a pose, from beside the viewer's head.</summary>
+    /// <param name="pose">The pose.</param>
+    /// <param name="panel">What shows it.</param>
+    /// <param name="fineness">Pixels of a unit of the panel.</param>
+    /// <returns>Share of the light, 0 to 1, that arrives behind a place of the panel, pixels; the place may lie beside the panel.</returns>
+    public Func<float2, float> LightBehind(Pose pose, StripPanel panel, float fineness)
+    {
+        float deepest = pose.Places.SelectMany(places => places).Max(place => place.z) - m_Camera.Distance,
+            behind = math.max(deepest, m_Reach), softness = k_WallBlur * m_Reach;
+        var map = new ShadowMap(
+            Casters(pose), m_Camera.Direction(-0.28f, 0.4f, 1f), softness, k_FinestShadow / (fineness * panel.Scale));
+        return place => map.At(-1, m_Camera.Behind(panel.SeenAt(place / fineness), behind));
+    }
+
+    private ShadowCaster[] Casters(Pose pose) => [.. m_Parts.Select((part, k) => part.Surface.Caster(pose.Points[k]))];
+
     // None where no surface lies before another.
     private Shadows ShadowsOf(Pose pose, float finest) => m_Parts.Count(part => part.Surface.CastsShadow) < 2
         ? null
-        : new Shadows([.. m_Parts.Select((part, k) => part.Surface.Caster(pose.Points[k]))], m_Shading.Key, m_ShadowReach, finest);
+        : new Shadows(Casters(pose), m_Shading.Key, m_ShadowReach, finest);
 
     // The key light at each sample, that of the sky at the corners of a triangle.
     private static Func<int3, float3, float2> Received(Shadows shadows, int part, float3[] points)

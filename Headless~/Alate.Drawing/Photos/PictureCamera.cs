@@ -28,6 +28,12 @@ internal sealed class PictureCamera
     /// <summary>A direction given as right, up and towards the viewer, on the body.</summary>
     public float3 Direction(float right, float up, float towards) => math.normalize(right * m_Right + up * m_Up - towards * m_View);
 
+    /// <summary>The place on the body that lies behind one of the plane through the origin, as the eye sees it.</summary>
+    /// <param name="seen">x right and y down, metres in that plane.</param>
+    /// <param name="distance">Metres from the plane.</param>
+    public float3 Behind(float2 seen, float distance) =>
+        m_Eye + (1f + distance / Distance) * (seen.x * m_Right - seen.y * m_Up - m_Eye);
+
     /// <summary>x right and y down, metres in the plane through the origin; z the distance from the eye.</summary>
     public float3 Project(float3 body)
     {

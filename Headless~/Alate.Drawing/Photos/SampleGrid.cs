@@ -118,7 +118,7 @@ internal sealed class SampleGrid
     public Color32[] Pixels(float3 paper)
     {
         var pixels = new Color32[Width * Height];
-        Array.Fill(pixels, Bytes(Shading.ToEncoded(paper)));
+        Array.Fill(pixels, Shading.Bytes(Shading.ToEncoded(paper)));
         var seen = new EncodedRows(this, paper);
         for (int y = 0; y < Height; y++)
         {
@@ -126,7 +126,7 @@ internal sealed class SampleGrid
             for (int x = first; x <= last; x++)
             {
                 if (!IsPaperAround(x, y))
-                    pixels[y * Width + x] = Bytes(Mean(seen, new int2(x, y) * k_Fineness + k_Fineness / 2));
+                    pixels[y * Width + x] = Shading.Bytes(Mean(seen, new int2(x, y) * k_Fineness + k_Fineness / 2));
             }
         }
 
@@ -144,7 +144,7 @@ internal sealed class SampleGrid
         {
             float3 least = new(dark[k].r, dark[k].g, dark[k].b), most = new(light[k].r, light[k].g, light[k].b);
             float opacity = math.saturate(1f - math.csum(most - least) / (3f * 255f));
-            Color32 shown = Bytes(math.saturate(least / math.max(255f * opacity, 1f)));
+            Color32 shown = Shading.Bytes(math.saturate(least / math.max(255f * opacity, 1f)));
             pixels[k] = new Color32(shown.r, shown.g, shown.b, (byte)math.round(255f * opacity));
         }
 
@@ -197,12 +197,6 @@ internal sealed class SampleGrid
         }
 
         return true;
-    }
-
-    private static Color32 Bytes(float3 encoded)
-    {
-        var shown = (int3)math.round(255f * encoded);
-        return new Color32((byte)shown.x, (byte)shown.y, (byte)shown.z, byte.MaxValue);
     }
 
     private float3 Seen(int index, float3 paper, List<GlassSample> sheets)

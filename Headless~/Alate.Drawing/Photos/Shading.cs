@@ -59,6 +59,13 @@ internal sealed class Shading
     /// <summary>An sRGB colour from 0 to 1.</summary>
     public static float3 Colour(int rgb) => new float3((rgb >> 16) & 255, (rgb >> 8) & 255, rgb & 255) / 255f;
 
+    /// <summary>The opaque pixel of an sRGB colour.</summary>
+    public static Color32 Bytes(float3 encoded)
+    {
+        var shown = (int3)math.round(255f * encoded);
+        return new Color32((byte)shown.x, (byte)shown.y, (byte)shown.z, byte.MaxValue);
+    }
+
     /// <summary>The sRGB value of a light.</summary>
     public static float3 ToEncoded(float3 linear) => math.pow(math.saturate(linear), 1f / 2.2f);
 }

@@ -16,6 +16,9 @@ internal readonly record struct StripPanel(float Left, float Top, float Width, f
         return new StripPanel(0f, 0f, size.x, size.y, math.cmin((size - 2f * inset) / (max - min)), 0.5f * (min + max));
     }
 
+    /// <summary>The place of the camera's plane that lies at a place of the panel.</summary>
+    public float2 SeenAt(float2 place) => (place - 0.5f * new float2(Width, Height)) / Scale + Centre;
+
     /// <summary>A place that the camera sees, in the panel.</summary>
     public float3 Place(float3 seen) => new((seen.xy - Centre) * Scale + 0.5f * new float2(Width, Height), seen.z);
 }

@@ -78,6 +78,39 @@ namespace Alate.Tests.Cli
             }
         }
 
+        // What is solid is as it is with nothing behind it; the wall is dimmest in the corners, and darker where the shadow falls.
+        [Test]
+        public void AFilmBeforeAWall_IsTheInsect_TheWallAndAShadow()
+        {
+            PngFile Frame(params string[] options)
+            {
+                using var run = new CommandRun();
+                Assert.That(run.Run(["film", "firefly", "--frames", "4", "--beats", "1", "--width", "160", "--out", run.Out, .. options]),
+                    Is.Zero, run.Errors);
+                return PngFile.Read(File.ReadAllBytes(Path.Combine(run.Out, "frames", "0002.png")));
+            }
+
+            PngFile cut = Frame("--transparent"), studio = Frame("--backdrop", "studio");
+            Assert.That((studio.Width, studio.Height), Is.EqualTo((cut.Width, cut.Height)));
+            Assert.That(studio.Pixels.All(pixel => pixel.a == 255), Is.True);
+            int solid = 0, shaded = 0;
+            for (int k = 0; k < cut.Pixels.Length; k++)
+            {
+                (UnityEngine.Color32 alone, UnityEngine.Color32 seen) = (cut.Pixels[k], studio.Pixels[k]);
+                if (alone.a == 255)
+                {
+                    solid++;
+                    Assert.That(Math.Max(Math.Abs(alone.r - seen.r), Math.Abs(alone.b - seen.b)), Is.LessThanOrEqualTo(1));
+                }
+
+                shaded += alone.a == 0 && seen.r < 0xb0 ? 1 : 0;
+            }
+
+            Assert.That(solid, Is.GreaterThan(200));
+            Assert.That(shaded, Is.GreaterThan(100), "darker than any corner");
+            Assert.That(studio.Pixels[0].b, Is.InRange(0xb9, 0xe0));
+        }
+
         [TestCase(false, Explicit = true, Category = "Long")]
         [TestCase(true)]
         public void TheSound_IsAsLongAsTheFilm_AndBeatsAsTheInsect_OrAsSlowAsTheFilm(bool isSlow)

@@ -32,6 +32,17 @@ public sealed class FilmVideoTests
         Assert.That(Directory.Exists(run.Out), Is.False);
     }
 
+    [TestCase("--compare")]
+    [TestCase("--transparent")]
+    public void AWallBehindInsects_IsBehindOne_AndNotSeenThrough(string option)
+    {
+        using var run = new CommandRun();
+        Assert.That(run.Run("film", "firefly", "--backdrop", "dark", option, "--out", run.Out), Is.EqualTo(2));
+        Assert.That(run.Errors.Trim(),
+            Does.EndWith("--backdrop is a wall behind one insect; it goes neither with --compare nor with --transparent."));
+        Assert.That(Directory.Exists(run.Out), Is.False);
+    }
+
     [Test]
     public void WithoutTheProgram_OneLineSaysWhatToDo_BeforeAnythingIsFlown()
     {

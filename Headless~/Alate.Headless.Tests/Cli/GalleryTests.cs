@@ -66,6 +66,33 @@ namespace Alate.Tests.Cli
             Assert.That(cut.Count(pixel => pixel.a == 255), Is.GreaterThan(cut.Length / 20));
         }
 
+        [Test]
+        public void BeforeAWall_InsectsAreThoseOnPaper_AndTheirShadowsGoBeyondTheirPanels()
+        {
+            using var run = new CommandRun();
+            PngFile Drawn(params string[] options)
+            {
+                string[] words = ["gallery", "firefly", "dragonfly", "--width", "240", "--out", run.Out, .. options];
+                Assert.That(run.Run(words), Is.Zero, run.Errors);
+                return PngFile.Read(File.ReadAllBytes(Path.Combine(run.Out, "insects.png")));
+            }
+
+            PngFile cut = Drawn("--transparent"), dark = Drawn("--backdrop", "dark");
+            Assert.That((dark.Width, dark.Height), Is.EqualTo((cut.Width, cut.Height)));
+            Assert.That(dark.Pixels.All(pixel => pixel.a == 255), Is.True);
+            for (int k = 0; k < cut.Pixels.Length; k++)
+            {
+                if (cut.Pixels[k].a == 255)
+                    Assert.That(Math.Abs(cut.Pixels[k].g - dark.Pixels[k].g), Is.LessThanOrEqualTo(1));
+            }
+
+            Assert.That(dark.Pixels[0].b, Is.LessThan(0x38), "a dim corner");
+            Assert.That(run.Run("gallery", "--transparent", "--backdrop", "studio", "--out", run.Out), Is.EqualTo(2));
+            Assert.That(run.Errors, Does.Contain("--transparent leaves nothing behind the insects; it does not go with --backdrop."));
+            Assert.That(run.Run("gallery", "--backdrop", "paper", "--out", run.Out), Is.EqualTo(2));
+            Assert.That(run.Errors, Does.Contain("--backdrop takes studio or dark, not 'paper'."));
+        }
+
         // The same ground as that of every other page and photo.
         [Test]
         public void ThePaper_IsThatOfThePages()

@@ -220,6 +220,7 @@ public sealed class StudyCommandTests
         Assert.That(Number(best["lift_over_weight"]), Is.EqualTo(allowed.Max()));
         Assert.That(int.Parse(best["run"], CultureInfo.InvariantCulture), Is.GreaterThan(5), "the first generation is a guess");
         Assert.That(run.Output, Does.Contain("The best run").And.Not.Contain("misses a bound"));
+        Assert.That(run.Output, Does.Match($@"run {best["run"]}\b"));
         AssertTheLineEndsAtTheBest(Path.Combine(run.Out, "search.svg"), rows, best);
 
         string again = Path.Combine(run.Folder, "again");

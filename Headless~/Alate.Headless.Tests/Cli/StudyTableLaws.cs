@@ -185,7 +185,9 @@ public sealed class StudyTableLaws
     {
         var plan = new ComparisonPlan([new FlightPlan { Species = "monarch", Speed = 1.3, PitchDegrees = 12, Substeps = 12 }],
             [ComparisonColumn.FullModel], 1);
-        Comparison flown = Comparison.Fly(plan, _ => { }).Single();
+        var counted = new List<int>();
+        Comparison flown = Comparison.Fly(plan, counted.Add).Single();
+        Assert.That(counted, Is.EqualTo(Enumerable.Range(1, plan.Columns.Count)), "flights that are done");
         string[][] rows = [.. FreeComparisonTable.Lines(flown).Select(row => row.ToArray())];
         FlightMeans free = flown.Free;
         RecordedWing wing = flown.Held.Summary.Flight.Wings[0];

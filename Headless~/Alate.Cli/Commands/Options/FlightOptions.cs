@@ -26,6 +26,14 @@ internal static class FlightOptions
                 ["flight"] = InsectVariant.Flight,
             });
 
+    /// <summary>A wall behind what a picture shows.</summary>
+    public static Option<BackdropLook?> Backdrop(string what) => Choice.Optional<BackdropLook>(
+        "--backdrop", $"The wall behind {what}, on which shadows fall, in place of paper: bright, or dim for pale wings.", new()
+        {
+            ["studio"] = BackdropLook.Studio,
+            ["dark"] = BackdropLook.Dark,
+        });
+
     public static Option<PictureView?> View() => Choice.Optional(
         "--view", "The side the picture shows. [default: front-left]", PictureView.ByName);
 }
