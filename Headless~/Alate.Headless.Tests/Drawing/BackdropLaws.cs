@@ -100,7 +100,7 @@ public sealed class BackdropLaws
 
         Assert.That(after[40 * 100 + 99], Is.EqualTo(solid));
         Assert.That(after[41 * 100 + 99], Is.EqualTo(before[41 * 100 + 99]), "seen through");
-        Assert.That(after.Zip(before, (now, then) => now.Equals(then)).Count(same => !same), Is.EqualTo(1), "others lie beside the picture");
+        Assert.That(after.Zip(before, (now, then) => now.Equals(then)).Count(same => !same), Is.EqualTo(1), "others lie beside it");
 
         wall.Lay([half], new int2(1, 1), new int2(3, 4));
         float then = before[4 * 100 + 3].r;
