@@ -50,6 +50,10 @@ internal sealed class SvgPage
         Append($" stroke=\"{colour}\" stroke-width=\"{thickness:0.##}\"/>\n");
     }
 
+    /// <summary>Data of a path along points.</summary>
+    public static string Path(IEnumerable<float2> points) => string.Concat(points.Select((point, k) =>
+        string.Create(CultureInfo.InvariantCulture, $"{(k == 0 ? 'M' : 'L')}{point.x:0.#} {point.y:0.#}")));
+
     /// <summary>Adds what is SVG already.</summary>
     public void Add(string svg) => m_Content.Append(svg);
 

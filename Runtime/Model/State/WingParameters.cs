@@ -37,8 +37,8 @@ namespace Alate
         public float3 amplitude;
 
         /// <summary>
-        /// Phase φ* of Eq. 1, radians, x flap, y sweep, z feather, −2π to 2π; default 0, −π/2, −π/2: feather and sweep lead the flap by a
-        /// quarter of a beat, so that the wing is edge-on at the turns. <c>Paper</c>: 0 (its Sec. 5.1 starts all three together).
+        /// Phase φ* of Eq. 1, radians, x flap, y sweep, z feather, −2π to 2π; default 0, −π/2, −π/2: feather and sweep follow the flap by a
+        /// quarter of a beat, largest in the middle of the half strokes. <c>Paper</c>: 0 (its Sec. 5.1 starts all three together).
         /// </summary>
         public float3 phase;
 
