@@ -48,7 +48,7 @@ internal static class FiguresCommand
 
     private static List<string> Pictures =>
         [k_Sweep, k_SweepCharts, k_Gallery, k_Film, k_OwnFilm, k_Stretch, k_Veins, k_Wake, k_Way,
-            .. ModelFigures.Pictures.Select(picture => picture.Name), .. SceneFigures.Files,
+            .. ManualFigures.Pictures.Select(picture => picture.Name), .. SceneFigures.Files,
             .. InsectCatalogue.Names.SelectMany(name => new[] { Portrait(name), Compared(name) })];
 
     /// <summary>The film of the front page in which wings flex.</summary>
@@ -148,7 +148,7 @@ internal static class FiguresCommand
         folder.Write(k_Sweep, stream => stream.Write(SweepPicture.DrawPoses(swept)));
         Write(folder, k_SweepCharts, SweepPicture.DrawCharts(swept));
         Write(folder, k_Veins, VeinFigure.Draw());
-        foreach ((string name, System.Func<string> draw) in ModelFigures.Pictures)
+        foreach ((string name, System.Func<string> draw) in ManualFigures.Pictures)
             Write(folder, name, draw());
         using (var wake = WakeFlight.Smooth(TetheredFlight.Fly(WakeFigures.Flown), new WakePlan()))
             folder.Write(k_Wake, stream => stream.Write(WakePicture.Draw(wake)));

@@ -200,7 +200,7 @@ internal static class FilmCommand
     private static byte[] Heard(Film film)
     {
         using var stream = new MemoryStream();
-        WavFile.Write(stream, film.Sound(), FilmSound.Rate);
+        WavFile.Write(stream, film.Sound(), BeatSound.Rate);
         return stream.ToArray();
     }
 

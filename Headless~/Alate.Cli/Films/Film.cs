@@ -99,7 +99,7 @@ internal sealed class Film
     }
 
     /// <summary>Sound of the last column, as long as the film.</summary>
-    public float[] Sound() => FilmSound.Of(
+    public float[] Sound() => BeatSound.Of(
         m_Flights[^1], m_Plan.IsSoundSlow ? (double)m_Plan.Rate / m_Plan.Frames : m_Flights[^1].Wings[0].Frequency,
         (double)Count / m_Plan.Rate);
 

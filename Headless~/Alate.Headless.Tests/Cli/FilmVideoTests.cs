@@ -73,7 +73,7 @@ public sealed class FilmVideoTests
         Color32[][] frames = film.Draw(_ => { });
         using var folder = new TemporaryFolder();
         using var sound = new MemoryStream();
-        Alate.Formats.WavFile.Write(sound, film.Sound(), FilmSound.Rate);
+        Alate.Formats.WavFile.Write(sound, film.Sound(), BeatSound.Rate);
         FilmVideo.Write(folder.PathOf(name), film.Size, 12, frames, sound.ToArray());
 
         byte[] shown = Decoded(folder.PathOf(name), "-f", "rawvideo", "-pix_fmt", "rgba");

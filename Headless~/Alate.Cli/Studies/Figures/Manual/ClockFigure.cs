@@ -8,7 +8,7 @@ internal static class ClockFigure
 
     private static readonly (string Name, double Climb, string Colour, CurveLook Look)[] s_Climbs =
     [
-        ("level", 0, ModelFigures.Blue, CurveLook.Plain), ("climbing by 0.7 m/s", 0.7, ModelFigures.Orange, CurveLook.Dashed),
+        ("level", 0, ManualFigures.Blue, CurveLook.Plain), ("climbing by 0.7 m/s", 0.7, ManualFigures.Orange, CurveLook.Dashed),
     ];
 
     /// <summary>Draws three charts, SVG.</summary>
@@ -22,7 +22,7 @@ internal static class ClockFigure
         var legend = new ChartLegend(sheet.Page, sheet.LegendTop);
         foreach ((string name, _, string colour, CurveLook look) in s_Climbs)
             legend.Add(name, colour, look);
-        legend.Add("as printed, level", ModelFigures.Grey, CurveLook.Dotted);
+        legend.Add("as printed, level", ManualFigures.Grey, CurveLook.Dotted);
         WingParameters ours = plan.ParametersOf(wing.Preset), printed = ours;
         printed.frequencyFloor = printed.amplitudeFloor = 0f;
         var across = new ChartAxis(0, k_Fastest, false, [0, 0.5, 1, 1.5, 2, 2.5]);
@@ -33,14 +33,14 @@ internal static class ClockFigure
         ];
         for (int k = 0; k < charts.Count; k++)
         {
-            List<List<ChartPoint>> curves = [.. s_Climbs.Select(climb => ModelFigures.Curve(k_Fastest, k_Steps,
+            List<List<ChartPoint>> curves = [.. s_Climbs.Select(climb => ManualFigures.Curve(k_Fastest, k_Steps,
                 speed => charts[k].Of(clock.At(ours, Math.Sqrt(speed * speed + climb.Climb * climb.Climb)))))];
-            List<ChartPoint> paper = ModelFigures.Curve(k_Fastest, k_Steps, speed => charts[k].Of(clock.At(printed, speed)));
+            List<ChartPoint> paper = ManualFigures.Curve(k_Fastest, k_Steps, speed => charts[k].Of(clock.At(printed, speed)));
             PointChart chart = sheet.Chart(k, charts[k].Title, across, ChartAxis.Linear(curves.Append(paper).SelectMany(curve => curve)
                 .Select(point => point.Y)));
             for (int n = 0; n < curves.Count; n++)
                 chart.Draw(new PointCurve(curves[n], s_Climbs[n].Colour, s_Climbs[n].Look));
-            chart.Draw(new PointCurve(paper, ModelFigures.Grey, CurveLook.Dotted));
+            chart.Draw(new PointCurve(paper, ManualFigures.Grey, CurveLook.Dotted));
         }
 
         return sheet.Finish(charts.Count, "Frequency and amplitudes of a monarch's beat over speed and climb");

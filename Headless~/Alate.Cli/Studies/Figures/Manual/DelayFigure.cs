@@ -53,16 +53,16 @@ internal static class DelayFigure
         float2 Shown(float2 place) => middle + scale * (place - 0.5f * (least + most));
         foreach (List<float2> loop in seen.Margins)
         {
-            page.Append($"<path d=\"{SvgPage.Path(loop.Select(Shown))}Z\" fill=\"{ModelFigures.Blue}\" fill-opacity=\"0.08\" ");
+            page.Append($"<path d=\"{SvgPage.Path(loop.Select(Shown))}Z\" fill=\"{ManualFigures.Blue}\" fill-opacity=\"0.08\" ");
             page.Append($"stroke=\"#8a8272\"/>\n");
         }
         for (int chain = 0; chain < driven.Chains; chain++)
         {
-            page.Append($"<path d=\"{SvgPage.Path(seen.Chains[chain].Select(Shown))}\" fill=\"none\" stroke=\"{ModelFigures.Blue}\"/>\n");
+            page.Append($"<path d=\"{SvgPage.Path(seen.Chains[chain].Select(Shown))}\" fill=\"none\" stroke=\"{ManualFigures.Blue}\"/>\n");
             for (int bone = 0; bone < driven.Joints - 1; bone++)
             {
                 float2 at = Shown(seen.Chains[chain][bone + 1]);
-                page.Append($"<circle cx=\"{at.x:0.#}\" cy=\"{at.y:0.#}\" r=\"11\" fill=\"#f7f4ec\" stroke=\"{ModelFigures.Blue}\"/>\n");
+                page.Append($"<circle cx=\"{at.x:0.#}\" cy=\"{at.y:0.#}\" r=\"11\" fill=\"#f7f4ec\" stroke=\"{ManualFigures.Blue}\"/>\n");
                 string delay = Math.Round(Delay(driven, chain, bone)).ToString("0", CultureInfo.InvariantCulture);
                 page.Text(at.x, at.y + 4f, 11f, delay, "middle");
             }
@@ -74,9 +74,9 @@ internal static class DelayFigure
         int tip = driven.Joints - 2, middle = driven.Chains / 2, last = driven.Chains - 1;
         (string Name, int Chain, int Bone, string Colour, CurveLook Look)[] bones =
         [
-            ("leading, root", 0, 0, ModelFigures.Blue, CurveLook.Thin), ("leading, tip", 0, tip, ModelFigures.Blue, CurveLook.Plain),
-            ("middle, tip", middle, tip, ModelFigures.Green, CurveLook.Dashed),
-            ("trailing, tip", last, tip, ModelFigures.Orange, CurveLook.Dotted),
+            ("leading, root", 0, 0, ManualFigures.Blue, CurveLook.Thin), ("leading, tip", 0, tip, ManualFigures.Blue, CurveLook.Plain),
+            ("middle, tip", middle, tip, ManualFigures.Green, CurveLook.Dashed),
+            ("trailing, tip", last, tip, ManualFigures.Orange, CurveLook.Dotted),
         ];
         List<ChartPoint>[] curves = [.. bones.Select(bone => Enumerable.Range(0, DrivenWing.Moments + 1).Select(k => new ChartPoint(
             (double)k / DrivenWing.Moments,

@@ -7,10 +7,10 @@ internal static class CoefficientFigure
 
     private static readonly (string Name, CoefficientSet Set, string Colour, CurveLook Look)[] s_Sets =
     [
-        ("paper", CoefficientSet.Paper, ModelFigures.Orange, CurveLook.Dashed),
-        ("Dickinson 1999", CoefficientSet.Dickinson1999, ModelFigures.Blue, CurveLook.Plain),
-        ("dragonfly", CoefficientSet.Dragonfly, ModelFigures.Green, CurveLook.Dotted),
-        ("flat plate", CoefficientSet.FlatPlate, ModelFigures.Grey, CurveLook.Thin),
+        ("paper", CoefficientSet.Paper, ManualFigures.Orange, CurveLook.Dashed),
+        ("Dickinson 1999", CoefficientSet.Dickinson1999, ManualFigures.Blue, CurveLook.Plain),
+        ("dragonfly", CoefficientSet.Dragonfly, ManualFigures.Green, CurveLook.Dotted),
+        ("flat plate", CoefficientSet.FlatPlate, ManualFigures.Grey, CurveLook.Thin),
     ];
 
     /// <summary>Draws both charts, SVG.</summary>
@@ -30,7 +30,7 @@ internal static class CoefficientFigure
 
     private static void Chart(SvgPage page, int column, string title, Func<float, float, double> of)
     {
-        List<ChartPoint>[] curves = [.. s_Sets.Select(set => ModelFigures.Curve(90, 90, degrees =>
+        List<ChartPoint>[] curves = [.. s_Sets.Select(set => ManualFigures.Curve(90, 90, degrees =>
         {
             double angle = Math.PI / 180 * degrees;
             Coefficients.At(set.Set, (float)Math.Sin(angle), (float)Math.Cos(angle), out float lift, out float drag);

@@ -2,8 +2,8 @@ using Alate.Sound;
 
 namespace Alate.Cli;
 
-/// <summary>Sound of a film: the beat that it shows, as Insect Hum plays it.</summary>
-internal static class FilmSound
+/// <summary>Sound of a beat that was flown, as Insect Hum plays it.</summary>
+internal static class BeatSound
 {
     public const int Rate = 48000;
 

@@ -13,13 +13,13 @@ using Unity.Mathematics;
 namespace Alate.Tests.Cli;
 
 /// <summary>Pictures of the manual's page of the model.</summary>
-public sealed class ModelFigureTests
+public sealed class ManualFigureTests
 {
     private static readonly XNamespace s_Svg = "http://www.w3.org/2000/svg";
 
     private static readonly Regex s_Number = new(@"-?\d+(\.\d+)?");
 
-    private static IEnumerable<string> Names => ModelFigures.Pictures.Select(picture => picture.Name);
+    private static IEnumerable<string> Names => ManualFigures.Pictures.Select(picture => picture.Name);
 
     // To a unit of the last digit: other processors round otherwise.
     [TestCaseSource(nameof(Names))]
@@ -143,7 +143,42 @@ public sealed class ModelFigureTests
         Assert.That(across, Is.EqualTo(180 * flap.chordDelay).Within(1).Percent, "half a beat at 1");
     }
 
-    private static string Draw(string name) => ModelFigures.Pictures.Single(picture => picture.Name == name).Draw();
+    // Of two tones the one of half the amplitude lies six decibels below the other; what is silent is drawn at the quietest.
+    [Test]
+    public void OvertonesOfASound_AreAsFarBelowTheStrongestAsTheirAmplitudesSay()
+    {
+        double[] beats = new double[4000];
+        for (int k = 0; k < beats.Length; k++)
+        {
+            double turn = 2 * Math.PI * 2 * k / beats.Length;
+            beats[k] = 0.3 * Math.Sin(3 * turn + 0.4) + 0.15 * Math.Cos(5 * turn);
+        }
+
+        double[] levels = [.. HumFigure.Levels(beats).Select(point => point.Y)];
+        Assert.That(levels, Has.Length.EqualTo(12));
+        Assert.That((levels[2], levels[4]), Is.EqualTo((0.0, -20 * Math.Log10(2))).Within(1e-6));
+        Assert.That(levels.Where((_, k) => k != 2 && k != 4), Is.All.EqualTo(-60.0));
+    }
+
+    // The curves of a wing are the angles of its file, drawn over the beat.
+    [Test]
+    public void TheMeasuredAngles_AreThoseOfTheFile()
+    {
+        XElement[] curves = [.. XElement.Parse(KinematicsFigure.Draw()).Elements(s_Svg + "path")
+            .Where(path => path.Attribute("clip-path") != null)];
+        double[] flap = [.. Numbers((string)curves[0].Attribute("d"))], hind = [.. Numbers((string)curves[3].Attribute("d"))];
+        Assert.That(curves, Has.Length.EqualTo(6));
+        for (int k = 0; k <= 96; k++)
+        {
+            double turn = 2 * Math.PI * k / 96;
+            Assert.That(flap[2 * k + 1], Is.EqualTo(Height(36 * Math.Cos(turn))).Within(0.15), "the fore wing's flap");
+            Assert.That(hind[2 * k + 1], Is.EqualTo(Height(26 * Math.Cos(turn + 51 * Math.PI / 180))).Within(0.15), "the hind wing's");
+        }
+
+        static double Height(double degrees) => 108 + 34 + (284 - 34 - 26) * (60 - degrees) / 150;
+    }
+
+    private static string Draw(string name) => ManualFigures.Pictures.Single(picture => picture.Name == name).Draw();
 
     private static double Area(List<float2> loop)
     {

@@ -16,8 +16,8 @@ internal static class MotionFigure
 
     private static readonly (string Name, string Colour, CurveLook Look)[] s_Angles =
     [
-        ("flap", ModelFigures.Blue, CurveLook.Plain), ("sweep", ModelFigures.Grey, CurveLook.Dotted),
-        ("feather", ModelFigures.Orange, CurveLook.Dashed),
+        ("flap", ManualFigures.Blue, CurveLook.Plain), ("sweep", ManualFigures.Grey, CurveLook.Dotted),
+        ("feather", ManualFigures.Orange, CurveLook.Dashed),
     ];
 
     /// <summary>Draws poses and angles, SVG.</summary>
@@ -55,8 +55,8 @@ internal static class MotionFigure
             IEnumerable<float2> around = shown.Take(wing.Joints)
                 .Concat(Enumerable.Range(1, wing.Chains - 1).Select(chain => shown[chain * wing.Joints + wing.Joints - 1]))
                 .Concat(shown.Skip(last).Take(wing.Joints - 1).Reverse());
-            page.Append($"<g stroke=\"{ModelFigures.Blue}\" stroke-opacity=\"{opacity}\">");
-            page.Append($"<path d=\"{SvgPage.Path(around)}Z\" fill=\"{ModelFigures.Blue}\" fill-opacity=\"0.05\" stroke-width=\"0.8\"/>");
+            page.Append($"<g stroke=\"{ManualFigures.Blue}\" stroke-opacity=\"{opacity}\">");
+            page.Append($"<path d=\"{SvgPage.Path(around)}Z\" fill=\"{ManualFigures.Blue}\" fill-opacity=\"0.05\" stroke-width=\"0.8\"/>");
             page.Append($"<path d=\"{SvgPage.Path(shown.Take(wing.Joints))}\" fill=\"none\" stroke-width=\"2.4\"/></g>\n");
         }
 
@@ -66,7 +66,7 @@ internal static class MotionFigure
     // Eq. 1 at the root of the leading chain.
     private static void Angles(SvgPage page, WingParameters numbers)
     {
-        List<ChartPoint>[] curves = [.. Enumerable.Range(0, 3).Select(axis => ModelFigures.Curve(1.0, 96, turns =>
+        List<ChartPoint>[] curves = [.. Enumerable.Range(0, 3).Select(axis => ManualFigures.Curve(1.0, 96, turns =>
             180 / Math.PI * numbers.amplitude[axis] * Math.Cos(2 * Math.PI * turns + numbers.phase[axis])))];
         float top = k_Top + k_PanelHeight;
         var legend = new ChartLegend(page, top + 8f);

@@ -1,7 +1,7 @@
 namespace Alate.Cli;
 
-/// <summary>Pictures of the documentation's page of the model: what the paper draws in its figures 3 to 6, of every species.</summary>
-internal static class ModelFigures
+/// <summary>Charts and diagrams of the manual; on the page of the model what the paper draws in its figures 3 to 6.</summary>
+internal static class ManualFigures
 {
     /// <summary>Colours of curves; their looks differ too.</summary>
     internal const string Blue = "#0b5fa5", Orange = "#c2410c", Grey = "#6b6455", Green = "#3f7d3a";
@@ -14,6 +14,8 @@ internal static class ModelFigures
         ("images/model-delays.svg", DelayFigure.Draw),
         ("images/model-clock.svg", ClockFigure.Draw),
         ("images/model-coefficients.svg", CoefficientFigure.Draw),
+        ("images/kinematics.svg", KinematicsFigure.Draw),
+        ("images/hum.svg", HumFigure.Draw),
     ];
 
     /// <summary>Points of a curve at even places from 0 to a value.</summary>
