@@ -9,7 +9,7 @@ internal static class FiguresCommand
         k_Gallery = "images/insects.png",
         k_Film = "images/monarch-film.png", k_Stretch = "images/stretch-monarch.png", k_Veins = "images/veins.svg",
         k_Wake = "images/wake-monarch.png", k_OwnFilm = "images/mymoth-film.png",
-        k_Way = "images/flight-monarch.png";
+        k_Way = "images/flight-monarch.png", k_Front = "images/study.svg", k_Study = "studies/hover.study.json";
 
     /// <summary>Pixels of the picture of all insects.</summary>
     internal const int GalleryWidth = 990;
@@ -47,7 +47,7 @@ internal static class FiguresCommand
     }
 
     private static List<string> Pictures =>
-        [k_Sweep, k_SweepCharts, k_Gallery, k_Film, k_OwnFilm, k_Stretch, k_Veins, k_Wake, k_Way,
+        [k_Sweep, k_SweepCharts, k_Gallery, k_Film, k_OwnFilm, k_Stretch, k_Veins, k_Wake, k_Way, k_Front,
             .. ManualFigures.Pictures.Select(picture => picture.Name), .. SceneFigures.Files,
             .. InsectCatalogue.Names.SelectMany(name => new[] { Portrait(name), Compared(name) })];
 
@@ -154,12 +154,24 @@ internal static class FiguresCommand
             folder.Write(k_Wake, stream => stream.Write(WakePicture.Draw(wake)));
 
         folder.Write(k_Way, stream => stream.Write(PathPicture.Draw(FreeRun.Fly(Wandering, _ => { }), out float _)));
+        stage("studying");
+        Write(folder, k_Front, Study(path));
         stage("filming");
         var film = Film.Fly(HeroFilm);
         folder.Write(k_Film, stream => stream.Write(film.Animation(film.Draw(_ => { }))));
         folder.Write(k_OwnFilm, stream => stream.Write(UseOwn(path, FilmOwn)));
         stage("playing scenes");
         SceneFigures.Make((name, content) => folder.Write(name, stream => stream.Write(content)));
+    }
+
+    /// <summary>Flies the study of the page of studies and draws its best compromises.</summary>
+    /// <param name="path">The folder of the documentation.</param>
+    internal static string Study(string path)
+    {
+        StudyPlan plan = StudyCommand.Read(Path.Combine(path, k_Study));
+        var rows = new SortedDictionary<int, StudyRow>(
+            Enumerable.Range(0, plan.Points.Length).Select(plan.Fly).ToDictionary(row => row.Run));
+        return StudyPictures.DrawFront(new StudyResult(plan, rows));
     }
 
     /// <summary>Makes the film of the front page's own insect.</summary>

@@ -93,7 +93,7 @@ internal static class StudyCommand
         return dot > 0 ? name[..dot] : name;
     }
 
-    private static StudyPlan Read(string path)
+    internal static StudyPlan Read(string path)
     {
         var file = StudyFile.Read(path);
         InsectDefinition insect = KnownSpecies.Find(file.Insect);

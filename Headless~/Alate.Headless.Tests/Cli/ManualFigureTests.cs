@@ -35,6 +35,21 @@ public sealed class ManualFigureTests
         Assert.That(told, Has.Length.LessThan(150_000));
     }
 
+    // Of each of 640 flights one dot, and the compromises.
+    [Test]
+    [Explicit]
+    [Category("Long")]
+    [Category("Faults")]
+    public void ThePictureOfTheStudies_IsThatOfToday()
+    {
+        string folder = Path.Combine(PackageRoot.Find(), "Documentation~"), now = FiguresCommand.Study(folder),
+            told = File.ReadAllText(Path.Combine(folder, "images", "study.svg")).ReplaceLineEndings("\n");
+
+        Assert.That(s_Number.Replace(now, "#"), Is.EqualTo(s_Number.Replace(told, "#")), "run figures --pictures");
+        Assert.That(Numbers(now).Zip(Numbers(told), (here, there) => Math.Abs(here - there)).Max(), Is.LessThan(0.11));
+        Assert.That(XElement.Parse(told).Elements(s_Svg + "circle").Count(), Is.GreaterThan(640));
+    }
+
     // What is drawn lies on the page.
     [TestCaseSource(nameof(Names))]
     public void APicture_StaysOnItsPage_AndSaysWhatItShows(string name)

@@ -201,6 +201,9 @@ public sealed class StudyDesignLaws
         Assert.That(StudyMeasure.Find($"{dragonfly.Wings[1].Name}.{ofWing}", dragonfly), Is.Not.Null);
         Assert.That(StudyMeasure.Find("." + ofWing, dragonfly), Is.Null, "no wing has that name");
         Assert.That(StudyMeasure.Find("fin." + ofWing, dragonfly), Is.Null);
+        Assert.That(StudyMeasure.Names.Select(name => StudyMeasure.Find(name, dragonfly).Title), Is.Unique);
+        Assert.That(StudyMeasure.Find("hind wing.lag_deg", dragonfly).Title, Is.EqualTo("hind wing: lag of the trailing edge, °"));
+        Assert.That(StudyMeasure.Find("positive_power_w", dragonfly).Title, Is.EqualTo("positive power, W"));
     }
 
     private static double Height(string landscape, double[] point)

@@ -2,8 +2,9 @@ namespace Alate.Cli;
 
 /// <summary>A number that a study takes of each run.</summary>
 /// <param name="Name">As summary.json has it; before a point the wing that it is of.</param>
+/// <param name="Title">Its name and unit for charts.</param>
 /// <param name="Of">Reads it.</param>
-internal sealed record StudyMeasure(string Name, Func<FlightSummary, double> Of)
+internal sealed record StudyMeasure(string Name, string Title, Func<FlightSummary, double> Of)
 {
     /// <summary>Those of a study that names none.</summary>
     public static IReadOnlyList<string> Usual { get; } =
@@ -11,25 +12,25 @@ internal sealed record StudyMeasure(string Name, Func<FlightSummary, double> Of)
 
     private static readonly StudyMeasure[] s_OfFlight =
     [
-        new("lift_over_weight", summary => summary.LiftOverWeight),
-        new("lift_n", summary => summary.Flight.Plan.ToWorld(summary.MeanForce).y),
-        new("thrust_n", summary => summary.Flight.Plan.ToWorld(summary.MeanForce).z),
-        new("power_w", summary => summary.MeanPower.Air),
-        new("positive_power_w", summary => summary.MeanPower.Positive),
-        new("negative_power_w", summary => summary.MeanPower.Negative),
-        new("newton_iterations_mean", summary => summary.NewtonIterationsMean),
-        new("resets", summary => summary.Resets),
+        new("lift_over_weight", "lift over weight", summary => summary.LiftOverWeight),
+        new("lift_n", "lift, N", summary => summary.Flight.Plan.ToWorld(summary.MeanForce).y),
+        new("thrust_n", "thrust, N", summary => summary.Flight.Plan.ToWorld(summary.MeanForce).z),
+        new("power_w", "power to the air, W", summary => summary.MeanPower.Air),
+        new("positive_power_w", "positive power, W", summary => summary.MeanPower.Positive),
+        new("negative_power_w", "negative power, W", summary => summary.MeanPower.Negative),
+        new("newton_iterations_mean", "Newton iterations, mean", summary => summary.NewtonIterationsMean),
+        new("resets", "resets", summary => summary.Resets),
     ];
 
     /// <summary>Measures of one wing.</summary>
-    private static IEnumerable<(string Name, Func<WingSummary, double> Of)> OfWing =>
+    private static IEnumerable<WingMeasure> OfWing =>
     [
-        .. WingMeasure.All.Select(measure => (measure.Key, measure.Of)),
-        ("leading_ei_n_m2", wing => wing.Stiffness.Leading), ("wing_ei_n_m2", wing => wing.Stiffness.Whole),
+        .. WingMeasure.All, new("leading_ei_n_m2", "EI of the leading edge, N m²", wing => wing.Stiffness.Leading),
+        new("wing_ei_n_m2", "EI of the wing, N m²", wing => wing.Stiffness.Whole),
     ];
 
     /// <summary>Names of all measures.</summary>
-    public static IEnumerable<string> Names => s_OfFlight.Select(measure => measure.Name).Concat(OfWing.Select(measure => measure.Name));
+    public static IEnumerable<string> Names => s_OfFlight.Select(measure => measure.Name).Concat(OfWing.Select(measure => measure.Key));
 
     /// <summary>Finds a measure.</summary>
     /// <param name="name">Its name.</param>
@@ -40,7 +41,9 @@ internal sealed record StudyMeasure(string Name, Func<FlightSummary, double> Of)
         if (Array.Find(s_OfFlight, measure => measure.Name == name) is { } known)
             return known;
         int dot = name.IndexOf('.'), wing = dot < 0 ? 0 : insect.Wings.ToList().FindIndex(own => own.Name == name[..dot]);
-        Func<WingSummary, double> of = OfWing.FirstOrDefault(measure => measure.Name == name[(dot + 1)..]).Of;
-        return wing < 0 || of == null ? null : new StudyMeasure(name, summary => of(summary.Wings[wing]));
+        if (wing < 0 || OfWing.FirstOrDefault(measure => measure.Key == name[(dot + 1)..]) is not { } found)
+            return null;
+        string title = dot < 0 ? found.Title : $"{insect.Wings[wing].Name}: {found.Title}";
+        return new StudyMeasure(name, title, summary => found.Of(summary.Wings[wing]));
     }
 }

@@ -30,7 +30,7 @@ internal static class StudyPictures
                 int parameter = k;
                 double[] at = result.Rows.Select(row => result.Plan.Points[row.Run][parameter]).ToArray();
                 PointChart chart = sheet.Chart(
-                    charts++, $"{Short(measure)} over {Short(file.Parameters[k].Key)}", Across(file.Parameters[k], at),
+                    charts++, $"{Title(result, measure)} over {Short(file.Parameters[k].Key)}", Across(file.Parameters[k], at),
                     ChartAxis.Around(values));
                 chart.Draw(new PointCurve(Thinned(at, values), k_Dot, CurveLook.Dots));
                 chart.Draw(new PointCurve(Means(file, file.Parameters[k], at, values), k_Line, CurveLook.Discs));
@@ -47,7 +47,7 @@ internal static class StudyPictures
         double[] most = result.Values(file.Most), least = result.Values(file.Least);
         SvgPage page = Page(
             result, "the best compromises", $"{result.Front.Count} of {most.Length} runs are beaten by no other in both.");
-        PointChart chart = Chart(page, $"{Short(file.Most)} over {Short(file.Least)}", least, most);
+        PointChart chart = Chart(page, $"{Title(result, file.Most)} over {Title(result, file.Least)}", least, most);
         chart.Draw(new PointCurve(Thinned(least, most), k_Dot, CurveLook.Dots));
         chart.Draw(new PointCurve(
             result.Front.Select(run => new ChartPoint(least[run], most[run])).Reverse().ToList(), k_Front, CurveLook.Discs));
@@ -61,7 +61,7 @@ internal static class StudyPictures
         double[] values = result.Values(goal.Measure), runs = Enumerable.Range(0, values.Length).Select(run => (double)run).ToArray();
         SvgPage page = Page(result, "the way of a search", $"A dot is a run. The line is the best so far"
             + (goal.Bounds.Count == 0 ? "." : ", of those that keep to their bounds where there are any."));
-        PointChart chart = Chart(page, $"{Short(goal.Measure)} over runs", runs, values);
+        PointChart chart = Chart(page, $"{Title(result, goal.Measure)} over runs", runs, values);
         chart.Draw(new PointCurve(Thinned(runs, values), k_Dot, CurveLook.Dots));
         int step = 1 + values.Length / k_MostDots;
         StudyRow[] best = result.BestSoFar();
@@ -84,6 +84,9 @@ internal static class StudyPictures
 
     private static PointChart Chart(SvgPage page, string title, double[] across, double[] up) => new(
         page, title, ChartAxis.Around(across), ChartAxis.Around(up), 12f, k_Top, new float2(k_Width - ChartSheet.Edge, k_Height));
+
+    private static string Title(StudyResult result, string measure) =>
+        StudyMeasure.Find(measure, result.Plan.Flight.Definition).Title;
 
     private static string Short(string name) => name.StartsWith(StudyParameter.OfInsect, StringComparison.Ordinal)
         ? name[(name.LastIndexOf('.') + 1)..]
