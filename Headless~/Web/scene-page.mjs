@@ -1,5 +1,5 @@
 // Tries the scripts of the page of a sample scene without a browser. Prints one line a case: "ok NAME" or "not ok NAME: reason".
-//   node scene-page.mjs FOLDER      The folder holds scene-format.js, scene-look.js, state.bin as a server sends it, and state.json as the tests read it.
+//   node scene-page.mjs FOLDER      The folder holds scene-format.js, scene-look.js, scene-share.js, state.bin as a server sends it, and state.json as the tests read it.
 import { readFileSync } from 'node:fs';
 import { pathToFileURL } from 'node:url';
 import { join } from 'node:path';
@@ -7,6 +7,7 @@ import { join } from 'node:path';
 const folder = process.argv[2], load = (name) => import(pathToFileURL(join(folder, name)).href);
 const bytes = readFileSync(join(folder, 'state.bin')), told = JSON.parse(readFileSync(join(folder, 'state.json'), 'utf8'));
 const { COLOURS, INSTANCE, TWO_SIDED, decode } = await load('scene-format.js'), { Look, axesOf, eyeOf } = await load('scene-look.js');
+const sharing = await load('scene-share.js');
 const state = decode(bytes.buffer.slice(bytes.byteOffset, bytes.byteOffset + bytes.byteLength));
 
 function all(values, wanted, what, within = 1e-4) {
@@ -65,6 +66,26 @@ const cases = {
     same(look.from(from), { ...from, distance: 0.05 }, 'what comes later stays');
     look.clear();
     same(look.from(from), from, 'another scene');
+  },
+  // An address says what is set and where the camera looks, and a command does so for the shell; a hand that goes the way of a link is there.
+  link() {
+    const slider = (name, value) => ({ kind: 'slider', name, text: `${name}: ${value}`, value }), box = (text, on) => ({ kind: 'toggle', text, on });
+    const first = [{ kind: 'label', text: 'Garden' }, slider('Butterflies', 8), slider("Wind's push", 0.5), box('Watch', false), box('Shy & quick', true)];
+    const now = [{ kind: 'label', text: 'Night' }, slider('Butterflies', 12.3456789), slider("Wind's push", 1), box('Watch', true), box('Shy & quick', true)];
+    const camera = { yaw: 730.12345, pitch: -12, distance: 4.2, target: [1, -0, 3.00004] };
+    const set = sharing.changes(first, now), link = sharing.write({ scene: 'garden', camera, set });
+    same(set, ['Butterflies=12.3457', "Wind's push=1", 'Watch'], 'changes');
+    same(sharing.changes(first, first), [], 'nothing is changed');
+    same(link, "#scene=garden&look=10.123,-12,4.2,1,0,3&set=Butterflies=12.3457&set=Wind%27s+push=1&set=Watch", 'address');
+    same(sharing.read(link), { scene: 'garden', look: [10.123, -12, 4.2, 1, 0, 3], set }, 'read again');
+    same(sharing.read(sharing.write({ scene: 'garden', camera, set: ['Shy & quick'] })).set, ['Shy & quick'], 'signs of addresses');
+    same(['', '#species=monarch', '#look=1,2,3,4,5,6'].map(sharing.read), [null, null, null], 'no scene');
+    same(['1,2,3', '1,2,0,4,5,6', '1,2,x,4,5,6'].map((look) => sharing.read(`#scene=swarm&look=${look}`).look), [null, null, null], 'no camera');
+    same(sharing.command({ scene: 'garden', camera, set }), "dotnet run -c Release --project Headless~/Alate.Cli -- film --scene garden --set Butterflies=12.3457 --set 'Wind'\\''s push=1' --set Watch --look 10.123,-12,4.2,1,0,3", 'command');
+    const look = new Look(), from = { yaw: 100, pitch: 3, distance: 8, target: [5, 6, 7] };
+    look.turn(sharing.turnTo([10.123, -12, 4.2, 1, 0, 3], from));
+    const { yaw, pitch, distance, target } = look.from(from);
+    all([yaw, pitch, distance, ...target], [10.123, -12, 4.2, 1, 0, 3], 'where the link looks');
   },
 };
 

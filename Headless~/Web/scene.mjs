@@ -124,6 +124,29 @@ const cases = {
       await page.waitForTimeout(100);
     await page.click('#pause');
   },
+  // What one page copies another one shows: in a page that is opened anew, and in one whose address is changed.
+  async link() {
+    await slide('butterflies', 5);
+    await wait(() => document.querySelector('label[for=slider-butterflies]').textContent.startsWith('Butterflies: 5'));
+    await page.focus('#canvas');
+    await page.keyboard.press('ArrowLeft');
+    await later();
+    await page.click('#share');
+    await wait(() => location.hash.startsWith('#scene=garden&look='));
+    const hash = await page.evaluate(() => location.hash), one = await camera();
+    check(hash.includes('set=Butterflies=5'), hash);
+    await page.goto('about:blank');
+    await page.goto(address + hash);
+    await wait(() => document.querySelector('label[for=slider-butterflies]')?.textContent.startsWith('Butterflies: 5'), null, 90000);
+    await wait((yaw) => Math.abs((alate.state.camera.yaw - yaw) % 360) < 0.01, one.yaw);
+    const two = await camera();
+    check(Math.abs(two.distance - one.distance) < 0.01 && Math.hypot(...two.target.map((value, k) => value - one.target[k])) < 0.01, JSON.stringify([one, two]));
+    await page.evaluate(() => { location.hash = '#scene=swarm&look=30,10,20,0,1,0'; });
+    await wait(() => document.getElementById('title').textContent === 'Swarm' && alate.state, null, 90000);
+    await wait(() => Math.abs(alate.state.camera.yaw - 30) < 0.01 && Math.abs(alate.state.camera.distance - 20) < 0.01);
+    await page.evaluate(() => history.replaceState(null, '', location.pathname));
+    await choose('garden', 'Garden');
+  },
   async scenes() {
     for (const [name, title] of [['comparison', 'Comparison'], ['insects', 'Insects'], ['meadow', 'Meadow'], ['monarch', 'Monarch'], ['own-wing', 'Your own wing'], ['swarm', 'Swarm']]) {
       await choose(name, title);

@@ -49,7 +49,7 @@ public sealed class PageScriptTests : ViewFixture
         using var folder = new TemporaryFolder();
         File.WriteAllText(folder.PathOf("package.json"), "{\"type\":\"module\"}");
         var files = new PageFiles(ThreeSource.Public, PageKind.Scene);
-        foreach (string script in new[] { "scene-format.js", "scene-look.js" })
+        foreach (string script in new[] { "scene-format.js", "scene-look.js", "scene-share.js" })
             File.WriteAllBytes(folder.PathOf(script), files.Find(script));
         var state = new StateBuffer();
         using (var sample = new LiveSample(SampleScene.Find("garden")))
@@ -63,7 +63,7 @@ public sealed class PageScriptTests : ViewFixture
         (int code, string output) = WebTools.Run("scene-page.mjs", folder.Root).GetAwaiter().GetResult();
 
         Assert.That(code, Is.Zero, output);
-        Assert.That(output.Split('\n').Count(line => line.StartsWith("ok ")), Is.EqualTo(4), output);
+        Assert.That(output.Split('\n').Count(line => line.StartsWith("ok ")), Is.EqualTo(5), output);
     }
 
     private static string Told(SampleState state, Transform eye) => JsonSerializer.Serialize(new

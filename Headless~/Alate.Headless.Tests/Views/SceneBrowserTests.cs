@@ -32,7 +32,8 @@ public sealed class SceneBrowserTests
     public void Remove() => m_Folder?.Dispose();
 
     [Test]
-    public void Page_DoesWhatItSays() => Try("garden", "plays", "rate", "hand", "panel", "pause", "scenes", "access", "phone", "memory");
+    public void Page_DoesWhatItSays() =>
+        Try("garden", "plays", "rate", "hand", "panel", "pause", "link", "scenes", "access", "phone", "memory");
 
     // The same moment in the page and by the painter of the films, which has the package's own light: no channel of the mean pixel is off
     // by 6 % of the range.

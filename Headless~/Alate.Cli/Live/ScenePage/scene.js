@@ -5,6 +5,8 @@ import * as message from './message.js';
 import { say } from './message.js';
 import { decode } from './scene-format.js';
 import { SamplePanel } from './scene-panel.js';
+import * as sharing from './scene-share.js';
+import { copy } from './share.js';
 import { toggle } from './theme.js';
 
 const get = (id) => document.getElementById(id);
@@ -32,7 +34,7 @@ const stage = await load(async () => {
 if (!stage)
   sample.close();
 if (stage) {
-  let rate = 0, counted = 0, isPaused = false, aspect = 0;
+  let rate = 0, counted = 0, isPaused = false, aspect = 0, playing = null, first = null, controls = [], wanted = sharing.read(location.hash);
   const act = (request) => {
     message.answered();
     sample.send(request);
@@ -43,6 +45,41 @@ if (stage) {
   });
   const pause = () => act({ paused: !isPaused }), home = () => act({ home: true });
   const degrees = (radians) => 180 / Math.PI * radians;
+  const shown = () => ({ scene: playing, camera: stage.state.camera, set: sharing.changes(first, controls) });
+  // A link is heeded once its scene plays: the panel first, then the camera, from where it is by then.
+  const heed = () => {
+    if (wanted?.scene !== playing || !first || !stage.state)
+      return;
+    for (const change of wanted.set) {
+      const [, name, value] = change.match(/^([^=]*)=(.*)$/) ?? [];
+      act(name === undefined ? { press: change } : { slider: { name, value: Number(value) } });
+    }
+    if (wanted.look)
+      stage.look.turn(sharing.turnTo(wanted.look, stage.state.camera));
+    wanted = null;
+  };
+  get('share').onclick = async () => {
+    if (!first || !stage.state)
+      return;
+    const isCopied = await copy(sharing.write(shown()));
+    say(isCopied ? 'A link to this scene, its panel and the camera is copied.' : 'The address of this page has all of it now: copy it.', 'note');
+  };
+  get('film').onclick = async () => {
+    if (!first || !stage.state)
+      return;
+    const command = sharing.command(shown());
+    try {
+      await navigator.clipboard.writeText(command);
+      say('The command that films this is copied.', 'note');
+    } catch {
+      say(command, 'note');
+    }
+  };
+  addEventListener('hashchange', () => {
+    wanted = sharing.read(location.hash);
+    if (wanted && wanted.scene !== playing)
+      sample.send({ scene: wanted.scene });
+  });
   keys.listen(get('canvas'), {
     turn: (aside, above) => stage.look.turn({ yaw: -degrees(aside), pitch: degrees(above) }),
     approach: (factor) => stage.look.turn({ zoom: factor }),
@@ -67,17 +104,22 @@ if (stage) {
       get('canvas').setAttribute('aria-label', `The scene ${title}`);
       get('scene').replaceChildren(...scenes.map((other) => new Option(other.title, other.name, false, other.name === scene)));
       stage.clear();
-      aspect = 0;
+      [playing, first, aspect] = [scene, null, 0];
       say(null);
+      if (wanted && wanted.scene !== scene)
+        sample.send({ scene: wanted.scene });
     },
-    panel: ({ paused, controls }) => {
+    panel: ({ paused, controls: told }) => {
       isPaused = paused;
       get('pause').textContent = paused ? 'Go on' : 'Pause';
-      panel.show(controls);
+      controls = told;
+      first ??= told;
+      panel.show(told);
     },
     state: (state) => {
       counted++;
       stage.setState(state);
+      heed();
       // It sends no more than this page can take.
       sample.send({ seen: state.number });
     },
