@@ -28,7 +28,7 @@ internal static class FlightOptions
 
     /// <summary>A wall behind what a picture shows.</summary>
     public static Option<BackdropLook?> Backdrop(string what) => Choice.Optional<BackdropLook>(
-        "--backdrop", $"The wall behind {what}, on which shadows fall, in place of paper: bright, or dim for pale wings.", new()
+        "--backdrop", $"A wall behind {what}, on which shadows fall: bright, or dim for pale wings. [default: paper]", new()
         {
             ["studio"] = BackdropLook.Studio,
             ["dark"] = BackdropLook.Dark,
