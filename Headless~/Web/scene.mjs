@@ -168,6 +168,17 @@ const cases = {
       check(bad.length === 0, `${theme}: ${bad}`);
     }
   },
+  // The page as the manual shows it.
+  async picture() {
+    await page.setViewportSize({ width: 1000, height: 600 });
+    await wait(() => alate.state.time > 12, null, 90000);
+    await page.click('#pause');
+    await page.mouse.move(5, 5);
+    await later();
+    await page.screenshot({ path: join(folder, 'page.png') });
+    await page.click('#pause');
+    await page.setViewportSize({ width: 900, height: 500 });
+  },
   async phone() {
     await page.setViewportSize({ width: 390, height: 844 });
     await later();

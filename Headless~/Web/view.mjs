@@ -377,6 +377,22 @@ const cases = {
     await wait(() => document.getElementById('line').textContent.includes('larger than 16 MB'));
     check((await page.evaluate(() => alate.scene.name)) === before, 'the insect is another one');
   },
+  // The page as the manual shows it, at the middle of a downstroke.
+  async picture() {
+    await page.setViewportSize({ width: 1000, height: 600 });
+    for (const name of ['skeleton', 'chart'])
+      await page.click(`[data-show="${name}"]`);
+    await page.waitForTimeout(4000);
+    await wait(() => Math.abs(alate.state.columns[0].phase - 1.2) < 0.15);
+    await page.click('#pause');
+    await page.mouse.move(5, 5);
+    await page.waitForTimeout(500);
+    await page.screenshot({ path: join(folder, 'page.png') });
+    await page.click('#pause');
+    for (const name of ['skeleton', 'chart'])
+      await page.click(`[data-show="${name}"]`);
+    await page.setViewportSize({ width: 480, height: 360 });
+  },
   async phone() {
     const phone = await open({ width: 390, height: 780 });
     const sizes = await phone.evaluate(() => ({ page: document.documentElement.scrollWidth, stage: document.getElementById('stage').clientHeight }));

@@ -63,6 +63,13 @@ public sealed class SceneBrowserTests
         Assert.That(painted.Distinct().Count(), Is.GreaterThan(500));
     }
 
+    [Test]
+    public void ThePageOfTheManual_IsThatOfToday()
+    {
+        Try("garden", "picture");
+        ManualPage.Compare(m_Folder.PathOf("page.png"), "scene-view.png");
+    }
+
     private void Try(string scene, params string[] cases) => Try(scene, _ => Task.CompletedTask, cases);
 
     private void Try(string scene, Func<ViewServer, Task> beside, params string[] cases)

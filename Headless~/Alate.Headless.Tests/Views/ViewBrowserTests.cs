@@ -66,6 +66,13 @@ namespace Alate.Tests.Views
         public void Page_IsForThoseToo_WhoSeeLittle_UseKeys_OrHoldAPhone() =>
             Try("access.mjs", "offline", "withoutThree", "axe", "overflow", "contrast", "keyboard", "sliders", "share", "errors");
 
+        [Test]
+        public void ThePageOfTheManual_IsThatOfToday()
+        {
+            Try("view.mjs", "picture");
+            ManualPage.Compare(m_Folder.PathOf("page.png"), "live-view.png");
+        }
+
         // Serves until the script has ended; where it asks for it, stops and starts anew at the same port.
         private void Try(string script, params string[] cases)
         {
