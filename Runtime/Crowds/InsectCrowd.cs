@@ -150,7 +150,9 @@ namespace Alate.Crowds
             }
         }
 
-        /// <summary>Insects that were drawn baked in the last frame, once for each camera that saw them or their shadows.</summary>
+        /// <summary>
+        /// Insects that were drawn baked in the last frame that a camera drew, once for each camera that saw them or their shadows.
+        /// </summary>
         public int DrawnCount => m_Buffers == null ? 0 : m_DrawnCount;
 
         /// <summary>Insects that are live now.</summary>
@@ -159,10 +161,10 @@ namespace Alate.Crowds
         /// <summary>The live insect that stands for one of the crowd; null where that is baked.</summary>
         public InsectWings LiveTwinOf(int insect) => m_Twins?.ShownFor(insect);
 
-        /// <summary>Draw calls of the last frame, for all cameras.</summary>
+        /// <summary>Draw calls of the last frame that a camera drew, for all cameras.</summary>
         public int DrawCalls => m_Batches == null ? 0 : m_Batches.Calls;
 
-        /// <summary>Triangles of the last frame, for all cameras.</summary>
+        /// <summary>Triangles of the last frame that a camera drew, for all cameras.</summary>
         public long Triangles => m_Batches == null ? 0 : m_Batches.Triangles;
 
         /// <summary>The state in one line: what keeps the crowd from being drawn; null when all is well.</summary>

@@ -193,6 +193,7 @@ namespace Alate.Flight
                 {
                     if (m_World.Contains(m_Live.wings[k].handle))
                         m_World.ReleaseDrive(m_Live.wings[k].handle);
+                    m_Live.wings[k].ForgetFold();
                 }
             }
 

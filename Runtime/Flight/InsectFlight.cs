@@ -130,10 +130,10 @@ namespace Alate.Flight
         /// <summary>Force of air and aid, mean over the last step, in weights of the insect along the world's axes.</summary>
         internal Vector3 Force { get; private set; }
 
-        /// <summary>Tumble that lasts, or the last one since the flight began; all 0 where there was none.</summary>
+        /// <summary>Tumble that lasts, or the last one there was, in an earlier flight too; all 0 where there was none.</summary>
         public FlightTumble Tumble => m_Tumbles.Last;
 
-        /// <summary>Number of tumbles since the flight began, with the one that lasts.</summary>
+        /// <summary>Number of tumbles so far, with the one that lasts; a flight that starts over goes on counting.</summary>
         public int TumbleCount => m_Tumbles.Count;
 
         /// <summary>Raised when the insect begins to tumble.</summary>

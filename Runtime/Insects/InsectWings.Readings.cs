@@ -166,7 +166,7 @@ namespace Alate
         /// <param name="wing">In the list.</param>
         /// <param name="chain">0 is the leading edge.</param>
         /// <param name="joint">0 is the root.</param>
-        /// <exception cref="ArgumentOutOfRangeException">There is no such wing, chain or joint.</exception>
+        /// <exception cref="ArgumentOutOfRangeException">There is no such wing, or no such chain or joint of a wing that lives.</exception>
         public Vector3 JointPosition(int wing, int chain, int joint)
         {
             CheckWing(wing);
@@ -191,7 +191,15 @@ namespace Alate
 
         internal void TellBeat()
         {
-            WingBeat?.Invoke(this);
+            try
+            {
+                WingBeat?.Invoke(this);
+            }
+            catch (Exception exception)
+            {
+                Debug.LogException(exception, this);
+            }
+
             m_OnWingBeat.Invoke();
         }
 

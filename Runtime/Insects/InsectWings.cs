@@ -172,7 +172,7 @@ namespace Alate
 
         /// <summary>
         /// Fills the list of wings with those found below this object by names and symmetry. Wings that were in the list keep their
-        /// settings; entries without a renderer go.
+        /// settings; entries without a renderer go, and those for other parts of a renderer in which wings are found.
         /// </summary>
         /// <returns>How many were found.</returns>
         public int FindWings()
@@ -184,8 +184,8 @@ namespace Alate
         }
 
         /// <summary>
-        /// Takes up changes that a script made to the content of the authored meshes; all insects that share them are rebuilt in the next
-        /// frame.
+        /// Takes up changes that a script made to the content of the authored meshes. In the next frame this insect is rebuilt, with all
+        /// that have the same meshes, wings, skeletons and number of patches.
         /// </summary>
         public void Rebuild()
         {

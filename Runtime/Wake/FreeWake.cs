@@ -22,6 +22,7 @@ namespace Alate.Wake
         public FreeWake(WakeSettings settings, IReadOnlyList<WakeWing> wings)
         {
             settings.Validate(wings.Count);
+            settings = settings.Copy();
             m_Settings = settings;
             m_Wings = new WingState[wings.Count];
             int[] first = new int[wings.Count + 1];

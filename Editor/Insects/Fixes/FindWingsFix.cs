@@ -12,7 +12,8 @@ namespace Alate.Editor
         /// <inheritdoc/>
         public override string Tooltip =>
             "Looks for wings below this object, by the names of objects, meshes and materials and by symmetry. "
-            + "Wings already in the list keep their settings; entries without a renderer go. Can be undone.";
+            + "Wings already in the list keep their settings; entries without a renderer, or for other parts of what is found, go. "
+            + "Can be undone.";
 
         /// <inheritdoc/>
         public override FixOutcome Apply(InsectWings insect, in InsectProblem problem)

@@ -46,6 +46,26 @@ namespace Alate.Tests.Wake
             }
         }
 
+        // The settings are taken as they are when the wake is made.
+        [Test]
+        public void SettingsThatChangeLater_DoNothing([Values] WakeMethod method)
+        {
+            var settings = new WakeSettings(method) { Symmetric = true, Stream = new float3(0f, 0f, -1f) };
+            var wings = new[] { new WakeWing(new Clapping { Gap = 0.1f }) };
+            using FreeWake wake = new FreeWake(settings, wings), same = new FreeWake(settings, wings);
+            (settings.Stream, settings.StepsPerBeat, settings.SpanPanels) = (new float3(0f, 5f, 0f), 7, 200);
+            (settings.TurnedSuction, settings.SuctionAlongChord) = (0f, true);
+            wake.Step();
+            wake.Step();
+            (settings.Stream, settings.StepsPerBeat) = (float.NaN, 1000);
+            same.Step();
+            same.Step();
+
+            Assert.That((wake.Time, wake.SectionCount), Is.EqualTo((2.0 / 24.0, 10)));
+            Assert.That(math.all(math.isfinite(same.Loads(0).Force)), Is.True);
+            Assert.That(wake.Loads(0).Force, Is.EqualTo(same.Loads(0).Force));
+        }
+
         [Test]
         public void AWake_GivesBackAllMemory([Values] WakeMethod method)
         {

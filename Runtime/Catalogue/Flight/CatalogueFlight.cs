@@ -47,8 +47,8 @@ namespace Alate.Catalogue
             TrimTableText.Read(TrimTables.Of(insect), model.Key);
 
         /// <summary>
-        /// Returns true where an insect flies, or swims, with <see cref="InsectVariant.Flight"/>: it has such numbers and a trim table for
-        /// them.
+        /// Returns true where an insect has a trim table, by which it flies, or swims, with <see cref="InsectVariant.Flight"/>; whether
+        /// that is of its numbers, <see cref="CreateTable"/> says.
         /// </summary>
         /// <param name="insect">The insect.</param>
         public static bool Flies(InsectDefinition insect) => TrimTables.Of(insect) != null;

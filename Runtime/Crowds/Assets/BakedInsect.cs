@@ -5,7 +5,7 @@ using UnityEngine;
 namespace Alate.Crowds
 {
     /// <summary>
-    /// A baked insect as crowds draw it: a texture with its loops, meshes of two or three sizes, and materials. Made from an
+    /// A baked insect as crowds draw it: a texture with its loops, meshes of 1 to 4 sizes, and materials. Made from an
     /// <see cref="InsectBake"/>. Its file is binary, whatever the project's asset serialization.
     /// </summary>
     [PreferBinarySerialization]

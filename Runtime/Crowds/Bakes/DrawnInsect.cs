@@ -28,6 +28,14 @@ namespace Alate.Crowds
                     Wings.Add(Rig(wing, Wings.Count));
                 foreach (Renderer renderer in DrawnRenderers.Under(insect.transform, false))
                     Append(renderer);
+                foreach (DrawnWing wing in Wings)
+                {
+                    if (!m_Starts.ContainsKey(wing.Renderer))
+                    {
+                        throw new BakeException($"'{insect.name}' has a wing that is not drawn: show the renderer '{wing.Renderer.name}', "
+                            + "below the insect and in its first level of detail, or take it off the list of wings.");
+                    }
+                }
             }
             catch
             {

@@ -18,7 +18,7 @@ namespace Alate.Crowds
             m_Insect = insect;
             var values = wings.Select(wing => new PresetValues(wing.Wing.Preset == null ? insect.Preset : wing.Wing.Preset)).ToList();
             float units = SceneModel.UnitsPerMetre(wings[0].Placed, values[0]);
-            PresetSize size = new PresetValues(insect.Preset).size;
+            PresetSize size = values[0].size;
             try
             {
                 var described = wings

@@ -33,7 +33,10 @@ namespace Alate.Crowds
         {
             if (!loop.isFlown)
             {
-                world.ReleaseDrive(wing.handle);
+                if (loop.steering.fold > 0f)
+                    world.SetDrive(wing.handle, wing.values.Folded(loop.steering.fold));
+                else
+                    world.ReleaseDrive(wing.handle);
                 return;
             }
 

@@ -102,7 +102,9 @@ namespace Alate.Crowds
             set => m_Seed = value;
         }
 
-        /// <summary>Reason why the spawner places no insects; null when all is well.</summary>
+        /// <summary>
+        /// Reason why the spawner places no insects, or shows the first loop in place of the one it names; null when all is well.
+        /// </summary>
         public string Problem
         {
             get

@@ -10,8 +10,8 @@ namespace Alate.Flight
 
         /// <summary>
         /// Wanted heading, radians about the world's up; 0 looks along +Z, π/2 along +X. Not a number leaves it to the flight: along the
-        /// way where the insect moves, as it is where it hovers. Above 0.3 m/s the insect looks along its way through the air whatever is
-        /// wanted.
+        /// way where the insect moves, as it is where it hovers. Above 0.3 m/s, or a quarter of its top speed where that is less, the
+        /// insect looks along its way through the air whatever is wanted.
         /// </summary>
         public float heading;
 

@@ -38,7 +38,7 @@ namespace Alate.Flight
         /// <summary>Limits of the insect's flight.</summary>
         public FlightLimits limits;
 
-        /// <summary>Seconds since the flight began.</summary>
+        /// <summary>Seconds that the insect has flown, in all its flights.</summary>
         public double time;
 
         /// <summary>Seconds of the step for which the command holds.</summary>

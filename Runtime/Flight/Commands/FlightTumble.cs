@@ -3,7 +3,7 @@ namespace Alate.Flight
     /// <summary>Tumble of an insect: when, how long and how far.</summary>
     public struct FlightTumble
     {
-        /// <summary>Time at which the tumble began, seconds since the flight began.</summary>
+        /// <summary>Time at which the tumble began, seconds that the insect had flown.</summary>
         public double time;
 
         /// <summary>Seconds that the tumble lasts, or has lasted so far.</summary>

@@ -20,7 +20,7 @@ namespace Alate.Flight
         /// <summary>Takes in a step.</summary>
         /// <param name="tumbles">True where the insect tumbles at its end.</param>
         /// <param name="moved">Way within it, metres.</param>
-        /// <param name="time">Its end, seconds since the flight began.</param>
+        /// <param name="time">Its end, seconds that the insect has flown.</param>
         /// <param name="dt">Its length, seconds.</param>
         /// <returns>True where a tumble begins or has ended.</returns>
         public bool Step(bool tumbles, float3 moved, double time, float dt)

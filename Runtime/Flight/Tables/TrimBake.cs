@@ -29,10 +29,25 @@ namespace Alate.Flight
         public Action<string> Log { get; set; }
 
         /// <summary>Makes the table.</summary>
-        /// <returns>The table; null where no point closes, see <see cref="Problem"/>.</returns>
+        /// <returns>The table; null where the insect holds no point, see <see cref="Problem"/>.</returns>
         public TrimTable Bake(IReadOnlyList<float> speeds = null, IReadOnlyList<float> climbs = null)
         {
             var table = new TrimTable(Copy(speeds ?? DefaultSpeeds), Copy(climbs ?? DefaultClimbs));
+            Problem = null;
+            try
+            {
+                return Fill(table);
+            }
+            catch
+            {
+                // Whoever reads the log may stop the bake.
+                table.Dispose();
+                throw;
+            }
+        }
+
+        private TrimTable Fill(TrimTable table)
+        {
             using var solver = new TrimSolver(m_Model);
             using var tunnel = new FlightTunnel(m_Model, BeatMap.Insects);
             TrimState[,] trims = Trims(solver, table);
@@ -46,7 +61,11 @@ namespace Alate.Flight
             }
 
             if (!table.Fill())
+            {
+                table.Dispose();
                 return null;
+            }
+
             TableFlight.Check(m_Model, table, Log);
             table.Fill();
             return Refine(table, solver, tunnel);
@@ -150,15 +169,21 @@ namespace Alate.Flight
         /// <summary>[speed, climb] Description of what is missing at each point of the last trims; null where it closes.</summary>
         internal string[,] Problems { get; private set; }
 
-        /// <summary>Description of what is missing at a point that did not close; null where all did.</summary>
+        /// <summary>Description of what is missing at a point that does not close or hold the insect; null where all do.</summary>
         public string Problem { get; private set; }
+
+        private void Miss(string problem)
+        {
+            Problem ??= problem;
+            Log?.Invoke(problem);
+        }
 
         private void Add(TrimTable table, int s, int c, in FlightCondition condition, TrimState trim, FlightTunnel tunnel)
         {
             float[] point = Gains(trim, condition, tunnel);
             if (point == null)
             {
-                Log?.Invoke($"{condition}: no gains hold the insect.");
+                Miss($"{condition}: no gains hold the insect.");
                 return;
             }
 
@@ -167,9 +192,13 @@ namespace Alate.Flight
                 TrimState flown = FlownTrim.Fly(m_Model, point, trim, condition, out string lost);
                 if (flown == null)
                 {
-                    Log?.Invoke($"{condition}: {lost}");
                     if (round == 0)
+                    {
+                        Miss($"{condition}: {lost}");
                         return;
+                    }
+
+                    Log?.Invoke($"{condition}: {lost}");
                     break;
                 }
 

@@ -5,8 +5,8 @@ using UnityEngine;
 namespace Alate
 {
     /// <summary>
-    /// Raises the events of beats. A listener may destroy or make insects; an exception in one is logged and does not keep others from
-    /// being called.
+    /// Raises the events of beats. A listener may destroy or make insects; an exception in one is logged and keeps neither the event of the
+    /// inspector nor other insects' from being raised.
     /// </summary>
     internal sealed class BeatCalls
     {

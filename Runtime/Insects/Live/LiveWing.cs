@@ -89,6 +89,9 @@ namespace Alate
                 world.ReleaseDrive(handle);
         }
 
+        /// <summary>Lets the next call of <see cref="Fold"/> act whatever it was told before: somebody else has driven the wing.</summary>
+        public void ForgetFold() => m_Fold = float.NaN;
+
         /// <summary>Takes over values of preset and sliders.</summary>
         /// <param name="presets">The presets in use.</param>
         /// <param name="tuning">What the insect says of all its wings.</param>

@@ -28,8 +28,8 @@ namespace Alate
 
         /// <summary>Fall of the stiffness along a chain, chain lengths, 0.05 to 100.</summary>
         [Range(WingBounds.Decay.Min, WingBounds.Decay.Max), Unit("chain lengths")]
-        [Tooltip("Span over which the stiffness falls to a third (1/e), in wing lengths; 1. Small values soften the tip, large ones "
-            + "make all equal.")]
+        [Tooltip("Way along a chain over which the stiffness falls to a third (1/e), in chain lengths; 1. Small values soften the tip, "
+            + "large ones make all equal.")]
         public float decay;
 
         /// <summary>Damping ζ of a bending joint over its critical damping, 0 to 10.</summary>

@@ -92,7 +92,10 @@ namespace Alate
             }
         }
 
-        /// <summary>Converts the preset to the units of the model, every value in its range. Allocates nothing.</summary>
+        /// <summary>
+        /// Converts the preset to the units of the model, every value in its range; a prescribed motion with a number out of its range is
+        /// left out whole. Allocates nothing where no such number is.
+        /// </summary>
         public WingParameters ToParameters()
         {
             var parameters = new WingParameters

@@ -9,7 +9,7 @@ namespace Alate
         /// <summary>The wings restart at <see cref="InsectWings.StartPhase"/>, unbent.</summary>
         Reset,
 
-        /// <summary>No move counts as a jump: the wings feel it as motion.</summary>
+        /// <summary>No move counts as a jump up to 1000 m/s of the real insect: the wings feel it as motion.</summary>
         Ignore,
     }
 }

@@ -178,6 +178,7 @@ namespace Alate
         public void SetSkinned(WingHandle wing, bool skinned) => m_Arrays.SetSkinned(Entry(wing), skinned);
 
         /// <summary>Advances all wings by one fixed step, seconds; does nothing where dt is not positive. Returns when done.</summary>
+        /// <exception cref="ArgumentException">dt is not finite.</exception>
         public void Step(float dt)
         {
             ScheduleStep(dt);

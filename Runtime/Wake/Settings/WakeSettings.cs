@@ -35,19 +35,21 @@ namespace Alate.Wake
         /// <summary>Steps a beat, 4 to 1000. From 24 to 48 the lift changes by 1.5 %.</summary>
         public int StepsPerBeat { get; set; } = 24;
 
-        /// <summary>Age at which a row of the wake is dropped, beats, above 0. With 2 the lift is 0.5 % low, with 1 2 %.</summary>
+        /// <summary>Age at which a row of the wake is dropped, beats, above 0 to 1000. With 2 the lift is 0.5 % low, with 1 2 %.</summary>
         public float Keep { get; set; } = 2f;
 
-        /// <summary>Radius of the core of a vortex as it is shed, chords, above 0.</summary>
+        /// <summary>Radius of the core of a vortex as it is shed, chords, above 0 to 10.</summary>
         public float NearCore { get; set; }
 
-        /// <summary>Radius of an old core, chords, at least that of a new one: keeps the wake smooth.</summary>
+        /// <summary>Radius of an old core, chords, that of a new one to 10: keeps the wake smooth.</summary>
         public float FarCore { get; set; } = 0.6f;
 
         /// <summary>Time in which a core grows from the first to the second, beats, above 0.</summary>
         public float CoreRamp { get; set; } = 0.3f;
 
-        /// <summary>Core of the vortices bound to a wing as the wake, other wings and mirror images feel them, chords, above 0.</summary>
+        /// <summary>
+        /// Core of the vortices bound to a wing as the wake, other wings and mirror images feel them, chords, above 0 to 10.
+        /// </summary>
         public float BoundCore { get; set; } = 0.1f;
 
         /// <summary>Distance of the last row of rings behind the trailing edge, as a share of the edge's path in a step, 0 to 1.</summary>
@@ -72,7 +74,7 @@ namespace Alate.Wake
         /// <summary>Mirrors the wings, which are right ones, at x = 0.</summary>
         public bool Symmetric { get; set; }
 
-        /// <summary>Height of the origin above a ground, reference lengths; infinite where there is none.</summary>
+        /// <summary>Height of the origin above a ground, reference lengths, above 0; infinite where there is none.</summary>
         public float GroundHeight { get; set; } = float.PositiveInfinity;
 
         /// <summary>Unit normal of the ground, in axes of the body.</summary>
@@ -89,6 +91,9 @@ namespace Alate.Wake
 
         /// <summary>Rows of wake points that a wing keeps at most.</summary>
         internal int Rows => (int)math.ceil(Keep * StepsPerBeat) + 1;
+
+        /// <summary>Makes settings with the same numbers.</summary>
+        internal WakeSettings Copy() => (WakeSettings)MemberwiseClone();
 
         /// <summary>Checks the numbers for a number of wings.</summary>
         /// <exception cref="ArgumentException">One is out of its range; names it, its value and the range.</exception>

@@ -15,6 +15,35 @@ namespace Alate.Tests.Play.Headless
     public sealed class BakedInsectTests : CrowdFixture
     {
         [Test]
+        public void AWingThatIsNotDrawn_IsNamed_AndNotBaked()
+        {
+            InsectWings insect = Keep(InsectFactory.Create("monarch").gameObject).GetComponent<InsectWings>();
+            insect.Wings[0].Renderer.enabled = false;
+
+            BakeException problem = Assert.Throws<BakeException>(
+                () => InsectBaker.Bake(insect, new[] { BakeMotion.Find("rest") }, BakeSettings.Default));
+            Assert.That(problem.Message, Does.Contain($"show the renderer '{insect.Wings[0].Renderer.name}'"));
+        }
+
+        // What the body weighs is that of the first wing's preset, as for an insect that flies.
+        [Test]
+        public void AnInsectWhoseWingsHavePresetsOfTheirOwn_FliesWithThem()
+        {
+            InsectDefinition species = InsectCatalogue.Find("monarch");
+            InsectWings insect = Keep(InsectFactory.Create(species, InsectVariant.Flight).gameObject).GetComponent<InsectWings>();
+            Alate.Flight.InsectFlight flight = CatalogueFlight.AddTo(insect, species);
+            WingPreset own = insect.Preset, heavy = Keep(Object.Instantiate(own));
+            heavy.Size.insectMass *= 3f;
+            insect.Wings.ForEach(wing => wing.Preset = own);
+            insect.Preset = heavy;
+            using var drawn = new DrawnInsect(insect);
+            using var flown = FlownInsect.Of(insect, drawn.Wings);
+
+            Assert.That(flight.Trims, Is.Not.Null);
+            Assert.That(() => flown.Fly(BakeMotion.Find("cruise")), Throws.Nothing);
+        }
+
+        [Test]
         public void TheTexture_HoldsEveryVertexAtEveryFrame_WhereTheMeshesLook_AndItsNormalAbove()
         {
             Scene = new CrowdScene("monarch", 1, "glide", "rest");

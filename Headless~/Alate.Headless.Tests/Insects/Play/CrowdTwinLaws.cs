@@ -57,6 +57,32 @@ namespace Alate.Tests.Play.Headless
             Assert.That(twin.Wings[0].AmplitudeScale == 1f, Is.EqualTo(blend < 0.5f));
         }
 
+        // A monarch that sits: its wings lie together over its back.
+        [UnityTest]
+        public IEnumerator ALiveInsect_IsFoldedAsItsLoop()
+        {
+            Scene = new CrowdScene("monarch", 1, "folded", "rest");
+            Live();
+            Scene.Place(0, CrowdPose.At(default, quaternion.identity));
+            yield return UntilLive(0);
+            yield return Frames(30);
+            float folded = Tips();
+            CrowdPose spread = CrowdPose.At(default, quaternion.identity);
+            (spread.loop, spread.nextLoop) = (1, 1);
+            Scene.Place(0, spread);
+            yield return Frames(60);
+            float rest = Tips();
+
+            Assert.That(folded, Is.LessThan(0.35f * rest), $"between the tips: {folded}, spread {rest}");
+
+            float Tips()
+            {
+                InsectWings twin = Made();
+                int last = twin.Read(0).JointsPerChain - 1;
+                return Vector3.Distance(twin.JointPosition(0, 0, last), twin.JointPosition(1, 0, last));
+            }
+        }
+
         // Eight beats, after which a wing that started unbent beats like any other.
         [UnityTest]
         public IEnumerator WhoTakesAnothersPlace_BeatsUnseenForEightBeats_AsTheFirstDid()

@@ -42,6 +42,30 @@ namespace Alate.Tests.Play
             Assert.That(Mathf.Repeat(wings.Phase - degrees, 360f), Is.LessThanOrEqualTo(most));
         }
 
+        // A flight that ends leaves the wings to the steering, which holds them as it says.
+        [UnityTest]
+        public IEnumerator WingsThatAreFolded_StaySo_WhenTheFlightIsDisabled([Values(0.7f, 1f)] float fold)
+        {
+            InsectFlight flight = Hatch();
+            InsectWings wings = flight.GetComponent<InsectWings>();
+            yield return Frames(10);
+            wings.Steering.fold = fold;
+            yield return Frames(10);
+            flight.enabled = false;
+            yield return Frames(60);
+            Vector3 tip = Tip();
+            yield return Frames(3);
+
+            Assert.That(Vector3.Distance(Tip(), tip), Is.LessThan(1e-3f));
+            wings.Steering.fold = 0f;
+            yield return Frames(60);
+            tip = Tip();
+            yield return Frames(3);
+            Assert.That(Vector3.Distance(Tip(), tip), Is.GreaterThan(0.01f), "they beat again");
+
+            Vector3 Tip() => wings.transform.InverseTransformPoint(wings.JointPosition(0, 0, wings.Read(0).JointsPerChain - 1));
+        }
+
         [UnityTest]
         public IEnumerator AWantedHeading_ComesBack_AndIsKeptInDegrees()
         {

@@ -101,8 +101,8 @@ namespace Alate.Flight
         /// <summary>Settings by which the insect avoids colliders in its way.</summary>
         public ref ObstacleSettings Obstacles => ref m_Obstacles;
 
-        /// <summary>True where the insect has come to the last point.</summary>
-        public bool HasArrived => m_Path.HasArrived;
+        /// <summary>True where the insect has come to the last point; false while it follows an object, or has no points.</summary>
+        public bool HasArrived => m_Target == null && m_Points.Count > 0 && m_Path.HasArrived;
 
         /// <summary>Flies to a point, world units, and stays there.</summary>
         public void GoTo(Vector3 point)

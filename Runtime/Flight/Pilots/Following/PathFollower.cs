@@ -28,7 +28,9 @@ namespace Alate.Flight
         /// <summary>The point that the insect flies to, counted from 0.</summary>
         public int Next { get; private set; }
 
-        /// <summary>True where the last point of a path that does not loop is near: within 5 cm of the insect.</summary>
+        /// <summary>
+        /// True where the last point of a path that does not loop, or the only point, is near: within 5 cm of the insect.
+        /// </summary>
         public bool HasArrived { get; private set; }
 
         /// <summary>Begins again with the first point.</summary>

@@ -22,7 +22,7 @@ namespace Alate.Flight
 
         /// <summary>Seconds to fold the wings, 0.1 to 5; 0.5.</summary>
         [Range(PerchBounds.FoldTime.Min, PerchBounds.FoldTime.Max)]
-        [Tooltip("Seconds to fold or spread the wings; 0.5.")]
+        [Tooltip("Seconds to fold the wings, or to open them wholly while basking; 0.5.")]
         public float foldTime;
 
         /// <summary>Share of the fold that the wings open while the insect basks, 0 to 1; 0.7. 0 keeps them folded.</summary>

@@ -55,6 +55,11 @@ namespace Alate.Tests.Play.Flight
             }
 
             Assert.That(pilot.HasArrived, Is.True, $"{flyer.situation.position}");
+            pilot.Target = pilot.transform;
+            Assert.That(pilot.HasArrived, Is.False, "it follows an object");
+            pilot.Target = null;
+            pilot.Points.Clear();
+            Assert.That(pilot.HasArrived, Is.False, "nowhere");
         }
 
         [UnityTest]

@@ -34,6 +34,21 @@ namespace Alate.Tests.Play
         }
 
         [UnityTest]
+        public IEnumerator AListenerThatFails_KeepsNeitherTheInspectorsEventNorOtherInsectsFromBeingCalled()
+        {
+            InsectWings insect = Hatch(), other = Hatch();
+            int unityCalls = 0, otherCalls = 0;
+            insect.WingBeat += _ => throw new InvalidOperationException("a listener's own fault");
+            insect.OnWingBeat.AddListener(() => unityCalls++);
+            other.WingBeat += _ => otherCalls++;
+            LogAssert.ignoreFailingMessages = true;
+            yield return Frames(20);
+
+            Assert.That(unityCalls, Is.GreaterThan(1));
+            Assert.That(otherCalls, Is.EqualTo(unityCalls));
+        }
+
+        [UnityTest]
         public IEnumerator OfManyBeatsInAFrame_OneIsTold()
         {
             WingPreset preset = Keep(InsectCatalogue.Monarch());
