@@ -187,9 +187,15 @@ const cases = {
     await page.setViewportSize({ width: 900, height: 500 });
   },
   async memory() {
-    const heap = () => page.evaluate(() => {
-      gc();
-      return performance.memory.usedJSHeapSize / 1e6;
+    // The least of some moments: states that come and go are no growth.
+    const heap = () => page.evaluate(async () => {
+      let least = Infinity;
+      for (let k = 0; k < 12; k++) {
+        await new Promise((done) => setTimeout(done, 230));
+        gc();
+        least = Math.min(least, performance.memory.usedJSHeapSize / 1e6);
+      }
+      return least;
     });
     await page.waitForTimeout(3000);
     const before = await heap();
