@@ -116,7 +116,7 @@ public sealed class ManualFigureTests
     [Test]
     public void FlapAlone_IsTheCosineOfTheClock_AtTheEndOfTheLeadingChain()
     {
-        FlightPlan plan = FlightPlan.Cruise(InsectCatalogue.Find("monarch"), InsectVariant.Standard);
+        var plan = FlightPlan.Cruise(InsectCatalogue.Find("monarch"), InsectVariant.Standard);
         InsectWing wing = Insect.Of(plan).Wings[0];
         WingParameters flap = plan.ParametersOf(wing.Preset);
         flap.amplitude *= new float3(1f, 0f, 0f);
@@ -137,7 +137,7 @@ public sealed class ManualFigureTests
     [Test]
     public void Delays_GrowAlongEachChain_AndFromChainToChain()
     {
-        FlightPlan plan = FlightPlan.Cruise(InsectCatalogue.Find("monarch"), InsectVariant.Standard);
+        var plan = FlightPlan.Cruise(InsectCatalogue.Find("monarch"), InsectVariant.Standard);
         InsectWing wing = Insect.Of(plan).Wings[0];
         WingParameters flap = plan.ParametersOf(wing.Preset);
         flap.amplitude *= new float3(1f, 0f, 0f);

@@ -51,7 +51,7 @@ namespace Alate.Tests.Wake
         public void SettingsThatChangeLater_DoNothing([Values] WakeMethod method)
         {
             var settings = new WakeSettings(method) { Symmetric = true, Stream = new float3(0f, 0f, -1f) };
-            var wings = new[] { new WakeWing(new Clapping { Gap = 0.1f }) };
+            WakeWing[] wings = new[] { new WakeWing(new Clapping { Gap = 0.1f }) };
             using FreeWake wake = new FreeWake(settings, wings), same = new FreeWake(settings, wings);
             (settings.Stream, settings.StepsPerBeat, settings.SpanPanels) = (new float3(0f, 5f, 0f), 7, 200);
             (settings.TurnedSuction, settings.SuctionAlongChord) = (0f, true);

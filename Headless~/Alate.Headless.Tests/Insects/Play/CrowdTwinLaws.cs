@@ -67,7 +67,7 @@ namespace Alate.Tests.Play.Headless
             yield return UntilLive(0);
             yield return Frames(30);
             float folded = Tips();
-            CrowdPose spread = CrowdPose.At(default, quaternion.identity);
+            var spread = CrowdPose.At(default, quaternion.identity);
             (spread.loop, spread.nextLoop) = (1, 1);
             Scene.Place(0, spread);
             yield return Frames(60);

@@ -14,7 +14,7 @@ internal static class ClockFigure
     /// <summary>Draws three charts, SVG.</summary>
     public static string Draw()
     {
-        FlightPlan plan = FlightPlan.Cruise(InsectCatalogue.Find("monarch"), InsectVariant.Standard);
+        var plan = FlightPlan.Cruise(InsectCatalogue.Find("monarch"), InsectVariant.Standard);
         InsectWing wing = Insect.Of(plan).Wings[0];
         using var clock = new Clock(wing);
         var sheet = new ChartSheet("How hard a monarch beats", "Over its speed ahead, m/s. The clock takes speed and pitch at the top "

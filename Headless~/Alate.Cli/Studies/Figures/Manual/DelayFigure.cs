@@ -1,5 +1,3 @@
-using System.Globalization;
-
 namespace Alate.Cli;
 
 /// <summary>Delays of the beat along the span and over the chord of a monarch's wing.</summary>
@@ -10,7 +8,7 @@ internal static class DelayFigure
     /// <summary>Draws a map of delays and the waves at five places, SVG.</summary>
     public static string Draw()
     {
-        FlightPlan plan = FlightPlan.Cruise(InsectCatalogue.Find("monarch"), InsectVariant.Standard);
+        var plan = FlightPlan.Cruise(InsectCatalogue.Find("monarch"), InsectVariant.Standard);
         InsectWing wing = Insect.Of(plan).Wings[0];
         WingParameters flap = plan.ParametersOf(wing.Preset);
         flap.amplitude *= new float3(1f, 0f, 0f);

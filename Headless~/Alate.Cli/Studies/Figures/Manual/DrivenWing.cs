@@ -59,7 +59,7 @@ internal sealed class DrivenWing
     // A bone goes on from where the one before it ends.
     private void Add(in WingReading reading)
     {
-        float3[] places = new float3[Rest.Length];
+        var places = new float3[Rest.Length];
         float[] flaps = new float[Chains * (Joints - 1)];
         for (int chain = 0; chain < Chains; chain++)
         {

@@ -1,5 +1,3 @@
-using System.Globalization;
-
 namespace Alate.Cli;
 
 /// <summary>Flap, feather and sweep of a monarch's wing, each alone and all together, as the beat drives them.</summary>
@@ -24,7 +22,7 @@ internal static class MotionFigure
     public static string Draw()
     {
         InsectDefinition monarch = InsectCatalogue.Find("monarch");
-        FlightPlan plan = FlightPlan.Cruise(monarch, InsectVariant.Standard);
+        var plan = FlightPlan.Cruise(monarch, InsectVariant.Standard);
         InsectWing wing = Insect.Of(plan).Wings[0];
         WingParameters all = plan.ParametersOf(wing.Preset);
         var page = new SvgPage();
