@@ -2,6 +2,7 @@ using System;
 using System.Linq;
 using Alate.Flight;
 using NUnit.Framework;
+using StandIns;
 
 namespace Alate.Tests.FreeFlights
 {
@@ -87,6 +88,25 @@ namespace Alate.Tests.FreeFlights
             Assert.That(pitch, Is.EqualTo(0.5 * (PitchAt(table.Speeds[s], table.ClimbRates[inner])
                 + PitchAt(table.Speeds[beside], table.ClimbRates[c]))).Within(1e-6));
             Assert.That(refined.Point(s, c), Is.Not.SameAs(before));
+        }
+
+        // Whoever waits for a bake may stop it at any table that is flown: the one that was given, or one in its place.
+        [TestCase(1)]
+        [TestCase(4)]
+        [TestCase(9)]
+        public void StoppedAtAnyFlight_ItLeavesNoMemory(int flights)
+        {
+            int live = NativeMemoryLedger.LiveCount, flown = 0;
+            TrimTable table = Table([0f, 0.4f], [-0.2f, 0f, 0.3f]);
+
+            Assert.That(() => Refine(table, (of, at) =>
+            {
+                // A flight reads the table from memory of its own.
+                TrimTableView read = of.View;
+                Assert.That((read.speedCount, NativeMemoryLedger.LiveCount > live), Is.EqualTo((of.Speeds.Length, true)));
+                return ++flown == flights ? throw new InvalidOperationException("stopped") : false;
+            }, Copied), Throws.InvalidOperationException);
+            Assert.That(NativeMemoryLedger.LiveCount, Is.EqualTo(live), NativeMemoryLedger.Describe());
         }
 
         private static TrimState Copied(FlightCondition at, TrimState near) => near;

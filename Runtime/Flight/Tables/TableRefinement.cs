@@ -34,18 +34,27 @@ namespace Alate.Flight
         /// <returns>The table, or a new one in its place; the old one is disposed then.</returns>
         public TrimTable Refine(TrimTable table)
         {
-            for (int s = 0; s + 1 < table.Speeds.Length; s++)
+            try
             {
-                // Halfway to an added speed too.
-                while (TryAddSpeed(ref table, s)) { }
-            }
+                for (int s = 0; s + 1 < table.Speeds.Length; s++)
+                {
+                    // Halfway to an added speed too.
+                    while (TryAddSpeed(ref table, s)) { }
+                }
 
-            for (int c = 0; c + 1 < table.ClimbRates.Length; c++)
-                TryAddClimb(ref table, c);
-            for (int s = 0; s < table.Speeds.Length; s++)
-                ExtendClimbs(table, s);
-            table.Fill();
-            return table;
+                for (int c = 0; c + 1 < table.ClimbRates.Length; c++)
+                    TryAddClimb(ref table, c);
+                for (int s = 0; s < table.Speeds.Length; s++)
+                    ExtendClimbs(table, s);
+                table.Fill();
+                return table;
+            }
+            catch
+            {
+                // It may be a new one by now, which nobody else knows.
+                table.Dispose();
+                throw;
+            }
         }
 
         // Climbs that did not close, or did not mix, are tried again between those beside them that do.
