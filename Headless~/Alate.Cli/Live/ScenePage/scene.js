@@ -52,7 +52,10 @@ if (stage) {
       return;
     for (const change of wanted.set) {
       const [, name, value] = change.match(/^([^=]*)=(.*)$/) ?? [];
-      act(name === undefined ? { press: change } : { slider: { name, value: Number(value) } });
+      if (name !== undefined)
+        act({ slider: { name, value: Number(value) } });
+      else if (!sharing.changes(first, controls).includes(change))
+        act({ press: change });
     }
     if (wanted.look)
       stage.look.turn(sharing.turnTo(wanted.look, stage.state.camera));
@@ -91,6 +94,7 @@ if (stage) {
   get('theme').onclick = toggle;
   get('fold').onclick = () => get('fold').setAttribute('aria-expanded', get('fold').getAttribute('aria-expanded') !== 'true');
   get('scene').onchange = (event) => {
+    wanted = null;
     say('The scene is made …');
     sample.send({ scene: event.target.value });
   };
@@ -106,8 +110,14 @@ if (stage) {
       stage.clear();
       [playing, first, aspect] = [scene, null, 0];
       say(null);
-      if (wanted && wanted.scene !== scene)
-        sample.send({ scene: wanted.scene });
+      if (wanted && wanted.scene !== scene) {
+        if (scenes.some(({ name }) => name === wanted.scene)) {
+          sample.send({ scene: wanted.scene });
+        } else {
+          say(`The link is of a scene that is not here: ${wanted.scene}.`, 'note bad');
+          wanted = null;
+        }
+      }
     },
     panel: ({ paused, controls: told }) => {
       isPaused = paused;
