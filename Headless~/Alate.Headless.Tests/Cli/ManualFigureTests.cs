@@ -116,10 +116,7 @@ public sealed class ManualFigureTests
     [Test]
     public void FlapAlone_IsTheCosineOfTheClock_AtTheEndOfTheLeadingChain()
     {
-        var plan = FlightPlan.Cruise(InsectCatalogue.Find("monarch"), InsectVariant.Standard);
-        InsectWing wing = Insect.Of(plan).Wings[0];
-        WingParameters flap = plan.ParametersOf(wing.Preset);
-        flap.amplitude *= new float3(1f, 0f, 0f);
+        (InsectWing wing, WingParameters flap) = Flapping();
         flap.chordDelay = flap.spanDelay = 0f;
         var driven = DrivenWing.Of(wing, flap);
         int last = driven.Joints - 2;
@@ -137,10 +134,7 @@ public sealed class ManualFigureTests
     [Test]
     public void Delays_GrowAlongEachChain_AndFromChainToChain()
     {
-        var plan = FlightPlan.Cruise(InsectCatalogue.Find("monarch"), InsectVariant.Standard);
-        InsectWing wing = Insect.Of(plan).Wings[0];
-        WingParameters flap = plan.ParametersOf(wing.Preset);
-        flap.amplitude *= new float3(1f, 0f, 0f);
+        (InsectWing wing, WingParameters flap) = Flapping();
         var driven = DrivenWing.Of(wing, flap);
         for (int chain = 0; chain < driven.Chains; chain++)
         {
@@ -191,6 +185,15 @@ public sealed class ManualFigureTests
         }
 
         static double Height(double degrees) => 108 + 34 + (284 - 34 - 26) * (60 - degrees) / 150;
+    }
+
+    private static (InsectWing Wing, WingParameters Flap) Flapping()
+    {
+        var plan = FlightPlan.Cruise(InsectCatalogue.Find("monarch"), InsectVariant.Standard);
+        InsectWing wing = Insect.Of(plan).Wings[0];
+        WingParameters flap = plan.ParametersOf(wing.Preset);
+        flap.amplitude *= new float3(1f, 0f, 0f);
+        return (wing, flap);
     }
 
     private static string Draw(string name) => ManualFigures.Pictures.Single(picture => picture.Name == name).Draw();

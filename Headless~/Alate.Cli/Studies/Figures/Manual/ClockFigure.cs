@@ -6,11 +6,6 @@ internal static class ClockFigure
     private const double k_Fastest = 2.5;
     private const int k_Steps = 50;
 
-    private static readonly (string Name, double Climb, string Colour, CurveLook Look)[] s_Climbs =
-    [
-        ("level", 0, ManualFigures.Blue, CurveLook.Plain), ("climbing by 0.7 m/s", 0.7, ManualFigures.Orange, CurveLook.Dashed),
-    ];
-
     /// <summary>Draws three charts, SVG.</summary>
     public static string Draw()
     {
@@ -19,31 +14,38 @@ internal static class ClockFigure
         using var clock = new Clock(wing);
         var sheet = new ChartSheet("How hard a monarch beats", "Over its speed ahead, m/s. The clock takes speed and pitch at the top "
             + "of each stroke; nose up by more than 30° it has at least 0.85 of the largest.");
-        var legend = new ChartLegend(sheet.Page, sheet.LegendTop);
-        foreach ((string name, _, string colour, CurveLook look) in s_Climbs)
-            legend.Add(name, colour, look);
-        legend.Add("as printed, level", ManualFigures.Grey, CurveLook.Dotted);
         WingParameters ours = plan.ParametersOf(wing.Preset), printed = ours;
         printed.frequencyFloor = printed.amplitudeFloor = 0f;
-        var across = new ChartAxis(0, k_Fastest, false, [0, 0.5, 1, 1.5, 2, 2.5]);
-        List<(string Title, Func<BeatNow, double> Of)> charts =
+        (string Name, WingParameters Numbers, double Climb, string Colour, CurveLook Look)[] flights =
+        [
+            ("level", ours, 0, ManualFigures.Blue, CurveLook.Plain),
+            ("climbing by 0.7 m/s", ours, 0.7, ManualFigures.Orange, CurveLook.Dashed),
+            ("as printed, level", printed, 0, ManualFigures.Grey, CurveLook.Dotted),
+        ];
+        double[] speeds = [.. Enumerable.Range(0, k_Steps + 1).Select(k => k_Fastest * k / k_Steps)];
+        BeatNow[][] beats = Array.ConvertAll(flights, flight => Array.ConvertAll(
+            speeds, speed => clock.At(flight.Numbers, Math.Sqrt(speed * speed + flight.Climb * flight.Climb))));
+        var legend = new ChartLegend(sheet.Page, sheet.LegendTop);
+        foreach ((string name, _, _, string colour, CurveLook look) in flights)
+            legend.Add(name, colour, look);
+        (string Title, Func<BeatNow, double> Of)[] charts =
         [
             ("frequency, Hz", now => now.Frequency), ("amplitude of the flap, °", now => 180 / Math.PI * now.Amplitude.x),
             ("amplitude of the feather, °", now => 180 / Math.PI * now.Amplitude.z),
         ];
-        for (int k = 0; k < charts.Count; k++)
+        var across = new ChartAxis(0, k_Fastest, false, [0, 0.5, 1, 1.5, 2, 2.5]);
+        for (int k = 0; k < charts.Length; k++)
         {
-            List<List<ChartPoint>> curves = [.. s_Climbs.Select(climb => ManualFigures.Curve(k_Fastest, k_Steps,
-                speed => charts[k].Of(clock.At(ours, Math.Sqrt(speed * speed + climb.Climb * climb.Climb)))))];
-            List<ChartPoint> paper = ManualFigures.Curve(k_Fastest, k_Steps, speed => charts[k].Of(clock.At(printed, speed)));
-            PointChart chart = sheet.Chart(k, charts[k].Title, across, ChartAxis.Linear(curves.Append(paper).SelectMany(curve => curve)
-                .Select(point => point.Y)));
-            for (int n = 0; n < curves.Count; n++)
-                chart.Draw(new PointCurve(curves[n], s_Climbs[n].Colour, s_Climbs[n].Look));
-            chart.Draw(new PointCurve(paper, ManualFigures.Grey, CurveLook.Dotted));
+            double[][] curves = Array.ConvertAll(beats, own => Array.ConvertAll(own, now => charts[k].Of(now)));
+            PointChart chart = sheet.Chart(k, charts[k].Title, across, ChartAxis.Linear(curves.SelectMany(curve => curve)));
+            for (int n = 0; n < curves.Length; n++)
+            {
+                chart.Draw(new PointCurve(
+                    [.. speeds.Zip(curves[n], (speed, value) => new ChartPoint(speed, value))], flights[n].Colour, flights[n].Look));
+            }
         }
 
-        return sheet.Finish(charts.Count, "Frequency and amplitudes of a monarch's beat over speed and climb");
+        return sheet.Finish(charts.Length, "Frequency and amplitudes of a monarch's beat over speed and climb");
     }
 
     /// <summary>A beat as its clock has it.</summary>

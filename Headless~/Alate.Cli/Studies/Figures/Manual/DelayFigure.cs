@@ -44,22 +44,19 @@ internal static class DelayFigure
     private static void Map(SvgPage page, InsectWing wing, DrivenWing driven)
     {
         var seen = PlanWing.Of(wing);
-        float2 least = seen.Places.Aggregate(math.min), most = seen.Places.Aggregate(math.max),
-            size = new(k_Map - 60f, k_Height - k_Top - 50f);
-        float scale = math.cmin(size / (most - least));
-        float2 middle = new(0.5f * k_Map, k_Top + 0.5f * (k_Height - k_Top));
-        float2 Shown(float2 place) => middle + scale * (place - 0.5f * (least + most));
+        Func<float2, float2> shown = PlanWing.Fit([seen], new float2(0.5f * k_Map, k_Top + 0.5f * (k_Height - k_Top)),
+            new float2(k_Map - 60f, k_Height - k_Top - 50f));
         foreach (List<float2> loop in seen.Margins)
         {
-            page.Append($"<path d=\"{SvgPage.Path(loop.Select(Shown))}Z\" fill=\"{ManualFigures.Blue}\" fill-opacity=\"0.08\" ");
+            page.Append($"<path d=\"{SvgPage.Path(loop.Select(shown))}Z\" fill=\"{ManualFigures.Blue}\" fill-opacity=\"0.08\" ");
             page.Append($"stroke=\"#8a8272\"/>\n");
         }
         for (int chain = 0; chain < driven.Chains; chain++)
         {
-            page.Append($"<path d=\"{SvgPage.Path(seen.Chains[chain].Select(Shown))}\" fill=\"none\" stroke=\"{ManualFigures.Blue}\"/>\n");
+            page.Append($"<path d=\"{SvgPage.Path(seen.Chains[chain].Select(shown))}\" fill=\"none\" stroke=\"{ManualFigures.Blue}\"/>\n");
             for (int bone = 0; bone < driven.Joints - 1; bone++)
             {
-                float2 at = Shown(seen.Chains[chain][bone + 1]);
+                float2 at = shown(seen.Chains[chain][bone + 1]);
                 page.Append($"<circle cx=\"{at.x:0.#}\" cy=\"{at.y:0.#}\" r=\"11\" fill=\"#f7f4ec\" stroke=\"{ManualFigures.Blue}\"/>\n");
                 string delay = Math.Round(Delay(driven, chain, bone)).ToString("0", CultureInfo.InvariantCulture);
                 page.Text(at.x, at.y + 4f, 11f, delay, "middle");

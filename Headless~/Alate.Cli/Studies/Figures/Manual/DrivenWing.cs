@@ -26,7 +26,7 @@ internal sealed class DrivenWing
     /// <summary>[moment][chain · joints + joint] Places over the beat, from the top of the stroke.</summary>
     public List<float3[]> Places { get; } = [];
 
-    /// <summary>[moment][chain · (joints − 1) + bone] Elevation of each bone over its place at rest, radians.</summary>
+    /// <summary>[moment][chain · (joints − 1) + bone] Elevation of the span as each bone turns it, radians.</summary>
     public List<float[]> Flaps { get; } = [];
 
     /// <summary>Drives a right wing.</summary>

@@ -4,7 +4,13 @@ namespace Alate.Cli;
 internal static class ManualFigures
 {
     /// <summary>Colours of curves; their looks differ too.</summary>
-    internal const string Blue = "#0b5fa5", Orange = "#c2410c", Grey = "#6b6455", Green = "#3f7d3a";
+    internal static string Blue => ChartSheet.Colours[0];
+
+    /// <inheritdoc cref="Blue"/>
+    internal static string Orange => ChartSheet.Colours[1];
+
+    /// <inheritdoc cref="Blue"/>
+    internal const string Grey = "#6b6455", Green = "#3f7d3a";
 
     /// <summary>Files in the documentation's folder, with what draws each as SVG.</summary>
     public static IReadOnlyList<(string Name, Func<string> Draw)> Pictures { get; } =

@@ -10,6 +10,18 @@ internal sealed record PlanWing(List<List<float2>> Margins, List<List<float2>> C
     /// <summary>All places.</summary>
     public IEnumerable<float2> Places => Margins.Concat(Chains).SelectMany(line => line);
 
+    /// <summary>Map from places of some wings, which together fill a rectangle, to a drawing.</summary>
+    /// <param name="wings">The wings.</param>
+    /// <param name="middle">Middle of the rectangle.</param>
+    /// <param name="size">Its sides.</param>
+    public static Func<float2, float2> Fit(IReadOnlyList<PlanWing> wings, float2 middle, float2 size)
+    {
+        float2 least = wings.SelectMany(wing => wing.Places).Aggregate(math.min),
+            most = wings.SelectMany(wing => wing.Places).Aggregate(math.max);
+        float scale = math.cmin(size / (most - least));
+        return place => middle + scale * (place - 0.5f * (least + most));
+    }
+
     /// <summary>A wing of the catalogue.</summary>
     public static PlanWing Of(InsectWing wing)
     {

@@ -27,14 +27,11 @@ internal static class SkeletonFigure
     {
         var insect = Insect.Of(FlightPlan.Cruise(species, InsectVariant.Standard));
         List<PlanWing> wings = [.. insect.Wings.Select(PlanWing.Of)];
-        float2 least = wings.SelectMany(wing => wing.Places).Aggregate(math.min),
-            most = wings.SelectMany(wing => wing.Places).Aggregate(math.max);
-        float scale = math.cmin((new float2(k_Cell, k_CellHeight - k_Title) - 2f * k_Gap) / (most - least));
-        float2 middle = corner + new float2(0.5f * k_Cell, k_Title + 0.5f * (k_CellHeight - k_Title));
-        float2 Shown(float2 place) => middle + scale * (place - 0.5f * (least + most));
+        Func<float2, float2> shown = PlanWing.Fit(wings, corner + new float2(0.5f * k_Cell, k_Title + 0.5f * (k_CellHeight - k_Title)),
+            new float2(k_Cell, k_CellHeight - k_Title) - 2f * k_Gap);
         page.Text(corner.x, corner.y + 14f, 14f, species.DisplayName, look: "b");
         for (int kind = 0; kind < wings.Count; kind++)
-            Draw(page, wings[kind], ChartSheet.Colours[kind], Shown);
+            Draw(page, wings[kind], ChartSheet.Colours[kind], shown);
     }
 
     private static void Draw(SvgPage page, PlanWing wing, string colour, Func<float2, float2> shown)
