@@ -17,6 +17,9 @@ namespace Alate.Tests.Flight
         public float Seconds { get; set; }
         public int Attempts { get; set; }
 
+        /// <summary>Lowest height of the centre of mass over the spot on the way down.</summary>
+        public float Lowest { get; set; } = float.PositiveInfinity;
+
         /// <summary>Lowest height of the centre of mass over the surface on the way down.</summary>
         public float Below { get; set; } = float.PositiveInfinity;
 

@@ -9,7 +9,7 @@ namespace Alate.Tests.Flight
     /// <summary>Landings of a species on small pads, flown by its own wings.</summary>
     internal sealed class PerchFlights
     {
-        private const float k_Step = 0.02f, k_Patience = 120f, k_LeavingTime = 3f;
+        private const float k_Step = 0.02f, k_Patience = 120f, k_LeavingTime = 3f, k_ComingTime = 4f;
 
         private static readonly ConcurrentDictionary<string, PerchFlights> s_Known = new ConcurrentDictionary<string, PerchFlights>();
 
@@ -33,24 +33,49 @@ namespace Alate.Tests.Flight
         /// <summary>Flies from above to a random spot of a slope up to 45°, and off again.</summary>
         public PerchFlight Fly(int seed)
         {
+            PerchSpot spot = RandomSpot(seed, 1.2f, 0.8f);
+            var record = new PerchFlight();
+            using (var flight = new FreeFlight(m_Model, m_Table))
+                spot.heading = Down(flight, spot, record);
+            if (record.Landed)
+                Leave(spot, spot.heading, record);
+            return record;
+        }
+
+        /// <summary>Comes flying at a share of its top speed, brakes, and lands on a random spot of a slope up to 45°.</summary>
+        /// <param name="seed">Of the spot.</param>
+        /// <param name="share">Speed of coming over the top speed.</param>
+        /// <param name="detail">Detail of the wings.</param>
+        public PerchFlight FlyIn(int seed, float share, WingDetail detail)
+        {
+            using var flight = new FreeFlight(m_Model, m_Table);
+            foreach (WingHandle wing in flight.Wings)
+                flight.World.SetDetail(wing, detail);
+            var ahead = new float3(0f, 0f, share * m_Table.TopSpeed);
+            while (flight.Time < k_ComingTime)
+                flight.Step(FlightCommand.Fly(ahead), k_Step);
+            PerchSpot spot = RandomSpot(seed, 3f, 1.2f);
+            spot.position += flight.Position;
+            var record = new PerchFlight();
+            Down(flight, spot, record);
+            return record;
+        }
+
+        // Below the origin.
+        private static PerchSpot RandomSpot(int seed, float farthest, float highest)
+        {
             var random = Random.CreateFromIndex((uint)seed);
             float slope = math.radians(random.NextFloat(0f, 45f)), way = random.NextFloat(0f, 2f * math.PI),
                 from = random.NextFloat(0f, 2f * math.PI);
             var normal = new float3(math.sin(slope) * math.sin(way), math.cos(slope), math.sin(slope) * math.cos(way));
-            float3 off = new float3(math.sin(from), 0f, math.cos(from)) * random.NextFloat(0f, 1.2f)
-                + new float3(0f, random.NextFloat(0.35f, 0.8f), 0f);
+            float3 off = new float3(math.sin(from), 0f, math.cos(from)) * random.NextFloat(0f, farthest)
+                + new float3(0f, random.NextFloat(0.35f, highest), 0f);
             off -= math.min(math.dot(off, normal) - 0.3f, 0f) * normal;
-            var spot = new PerchSpot { position = -off, normal = normal, heading = random.NextFloat(-math.PI, math.PI) };
-            var record = new PerchFlight();
-            float heading = Down(spot, record);
-            if (record.Landed)
-                Leave(spot, heading, record);
-            return record;
+            return new PerchSpot { position = -off, normal = normal, heading = random.NextFloat(-math.PI, math.PI) };
         }
 
-        private float Down(in PerchSpot spot, PerchFlight record)
+        private float Down(FreeFlight flight, in PerchSpot spot, PerchFlight record)
         {
-            using var flight = new FreeFlight(m_Model, m_Table);
             var landing = new Landing(spot, m_Stand);
             while (flight.Time < k_Patience)
             {
@@ -69,6 +94,7 @@ namespace Alate.Tests.Flight
 
                 flight.Step(command, k_Step);
                 record.Tumbled |= flight.State == FlightState.Tumbling;
+                record.Lowest = math.min(record.Lowest, flight.Position.y - spot.position.y);
                 record.Below = math.min(record.Below, math.dot(flight.Position - spot.position, spot.normal));
             }
 

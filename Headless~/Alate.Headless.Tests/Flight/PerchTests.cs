@@ -32,6 +32,31 @@ namespace Alate.Tests.Flight
         [Category("Long")]
         public void AThousandLandings(string name, int count) => FlyAll(name, count);
 
+        // As far insects do in play.
+        [TestCase("monarch", 79, 1, WingDetail.CoarsePatches)]
+        [TestCase("monarch", 206, 1, WingDetail.CoarsePatches)]
+        [TestCase("monarch", 404, 1, WingDetail.FewerSubsteps)]
+        [TestCase("monarch", 1, 500, WingDetail.Full, Explicit = true, Category = "Long")]
+        [TestCase("monarch", 1, 500, WingDetail.CoarsePatches, Explicit = true, Category = "Long")]
+        [TestCase("swallowtail", 1, 100, WingDetail.CoarsePatches, Explicit = true, Category = "Long")]
+        [TestCase("firefly", 1, 100, WingDetail.CoarsePatches, Explicit = true, Category = "Long")]
+        [TestCase("fishfly", 1, 100, WingDetail.CoarsePatches, Explicit = true, Category = "Long")]
+        [TestCase("painted-lichen-moth", 1, 100, WingDetail.CoarsePatches, Explicit = true, Category = "Long")]
+        [TestCase("dragonfly", 1, 100, WingDetail.CoarsePatches, Explicit = true, Category = "Long")]
+        public void InsectsThatComeFlying_BrakeAndLand(string name, int first, int count, WingDetail detail)
+        {
+            var flights = PerchFlights.Of(name);
+            var all = Enumerable.Range(first, count).Select(seed => (Seed: seed, Flight: flights.FlyIn(seed, 0.8f, detail))).ToList();
+            TestContext.Progress.WriteLine(string.Create(
+                CultureInfo.InvariantCulture,
+                $"{name}, {detail}: {all.Sum(at => at.Flight.Attempts)} new attempts of {count}, "
+                + $"{all.Average(at => at.Flight.Seconds):0.0} s on average; "
+                + $"lowest {all.Min(at => at.Flight.Lowest) * 1000:0.0} mm over the spot"));
+            Assert.That(all.Where(at => !at.Flight.Landed).Select(at => at.Seed), Is.Empty, "in the air after two minutes");
+            Assert.That(all.Where(at => at.Flight.Tumbled).Select(at => at.Seed), Is.Empty, "tumble");
+            Assert.That(all.Min(at => at.Flight.Lowest), Is.GreaterThan(0f), "below the spot");
+        }
+
         private static void FlyAll(string name, int count)
         {
             var flights = PerchFlights.Of(name);

@@ -48,13 +48,14 @@ public sealed class GardenSampleTests : SampleFixture<GardenSample>
         Assert.That(Vector3.Distance(sitting.Position, camera.transform.position), Is.GreaterThan(6f));
     }
 
-    // But for the flower that it comes to or has just left.
+    // But for the flower that it comes to or has just left. Frames later the same butterflies fly other ways.
     [UnityTest]
     [Explicit]
     [Category("Long")]
-    public IEnumerator ForAMinute_NobodyPassesThroughAFlower_OrComesToTheGround()
+    public IEnumerator ForAMinute_NobodyPassesThroughAFlower_OrComesToTheGround([Values(0, 1, 2, 5)] int later)
     {
         yield return Begin();
+        yield return Frames(later);
         DrawnScreen.Slide("Butterflies", 12f);
         yield return Frames(60);
         PerchMark[] marks = Sample.GetComponentsInChildren<PerchMark>();

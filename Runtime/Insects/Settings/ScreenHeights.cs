@@ -16,7 +16,7 @@ namespace Alate
         /// <summary>Height below which the detail is <see cref="WingDetail.FewerSubsteps"/>, share of the screen; default 0.2.</summary>
         [Range(0f, 1f)]
         [Tooltip("Share of the screen's height, 0 to 1, below which the insect is computed with half the substeps, but not fewer than 12 a "
-            + "beat. 0 never is. Multiplied by the quality settings' LOD bias.")]
+            + "beat; with all where it flies. 0 never is. Multiplied by the quality settings' LOD bias.")]
         public float fewerSubstepsBelow;
 
         /// <summary>Height below which the detail is <see cref="WingDetail.CoarsePatches"/>, share of the screen; default 0.1.</summary>

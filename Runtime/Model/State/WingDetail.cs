@@ -12,7 +12,10 @@ namespace Alate
         /// <summary>Full model, as the parameters say.</summary>
         Full,
 
-        /// <summary>Half the substeps, but not fewer than <see cref="WingParameters.MinSubsteps"/> a beat.</summary>
+        /// <summary>
+        /// Half the substeps, but not fewer than <see cref="WingParameters.MinSubsteps"/> a beat; all of them where the beat is commanded,
+        /// as in flight.
+        /// </summary>
         FewerSubsteps,
 
         /// <summary>Fewer substeps, and only <see cref="WingRigSettings.CoarsePatches"/> patches meet the air.</summary>

@@ -96,9 +96,9 @@ namespace Alate
         public static float4 SubstepCounts(in WingPack pack, ref float4 dt)
         {
             float4 frequency = math.max(pack.beat->frequency, pack.beat->previousFrequency);
-            float4 perBeat = SubstepsPerBeat(pack);
             // What a controller commands changes from beat to beat, and with it the count must not.
             bool4 commanded = pack.parameters->drive.commanded > 0f;
+            float4 perBeat = SubstepsPerBeat(pack, commanded);
             float4 rate = math.select(
                 frequency, math.max(frequency, k_FlightFrequency * pack.parameters->numbers.maxFrequency), commanded) * perBeat;
             if (pack.detail != WingDetail.WavesOnly)
@@ -157,10 +157,14 @@ namespace Alate
                 + math.sqrt(SoaFloat3.LengthSquared(pack.surroundings->angularVelocity)) * reach;
         }
 
-        private static float4 SubstepsPerBeat(in WingPack pack)
+        // Wings that a controller commands keep all that meet the air: its gains were found for them, and what brakes with fewer tumbles.
+        private static float4 SubstepsPerBeat(in WingPack pack, bool4 commanded)
         {
             float4 perBeat = pack.parameters->numbers.substepsPerBeat;
-            return pack.detail == WingDetail.Full ? perBeat : math.max(0.5f * perBeat, WingParameters.MinSubsteps);
+            if (pack.detail == WingDetail.Full)
+                return perBeat;
+            float4 fewer = math.max(0.5f * perBeat, WingParameters.MinSubsteps);
+            return pack.detail == WingDetail.WavesOnly ? fewer : math.select(fewer, perBeat, commanded);
         }
 
         private static void RecoverBroken(in WingPack pack, in StepScratch scratch)

@@ -88,6 +88,26 @@ namespace Alate.Tests
             }
         }
 
+        // With fewer than those that its trims were found with an insect that brakes tumbles.
+        [TestCase(WingDetail.FewerSubsteps, 40)]
+        [TestCase(WingDetail.CoarsePatches, 40)]
+        [TestCase(WingDetail.WavesOnly, 20)]
+        public void ACommandedWing_TakesAllOfThem_UntilItMeetsNoAir(WingDetail detail, int perBeat)
+        {
+            WingParameters parameters = Monarch.Parameters;
+            parameters.substepsPerBeat = 40;
+            using (var fixture = new PackFixture(Monarch.Rig(16), parameters))
+            {
+                fixture.Pack.detail = detail;
+                float4 beat = 1f / (1.3f * parameters.maxFrequency);
+                fixture.Pack.parameters->drive.Set(1, new WingDrive { frequency = 5f, amplitude = 1f }, true);
+                fixture.Pack.beat->frequency = fixture.Pack.beat->previousFrequency = 0.65f * parameters.maxFrequency;
+                float4 counts = PackStep.SubstepCounts(fixture.Pack, ref beat);
+                Assert.That((int)counts.y, Is.EqualTo(perBeat), "commanded");
+                Assert.That((int)counts.x, Is.EqualTo(10), "beside it");
+            }
+        }
+
         // Subnormal numbers cost a hundred times as much; an exponential fading ends in them after twenty beats.
         [Test]
         public void AWingOfWavesAlone_IsUnbentInTheEnd_AndHasNoSubnormalNumbers()
