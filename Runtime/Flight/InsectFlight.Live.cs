@@ -167,7 +167,7 @@ namespace Alate.Flight
                 Perch(ref body, command.spot);
             if (m_Perching.Holds)
                 m_Recorder?.End("the insect sits");
-            if (m_Perching.Holds && Hold(ref body, sits, command.heading, dt))
+            if (m_Perching.Holds && Hold(ref body, sits, command, dt))
                 return;
 
             m_Recorder?.Add(body, command, GuardCommands, length, count);
@@ -201,14 +201,16 @@ namespace Alate.Flight
         }
 
         // Where the perch moves the body, the way goes into its position, as in flight, and is drawn between steps.
-        private bool Hold(ref FlyingBody body, bool sits, float heading, float dt)
+        private bool Hold(ref FlyingBody body, bool sits, in FlightCommand command, float dt)
         {
             var wings = new HeldWings(m_World, m_Body, m_Live, m_Model, m_Table);
             m_Perching.Units = m_Units;
+            if (command.spot.IsPossible && math.lengthsq(command.spot.normal) > 0f)
+                m_Perching.Follow(ref body, command.spot);
             if (sits)
                 m_Perching.Sit(ref body, wings, dt);
             else
-                m_Perching.Start(ref body, wings, heading, dt);
+                m_Perching.Start(ref body, wings, command.heading, dt);
             float3 centre = m_Perching.Centre(body.rotation, Legs);
             State = m_Perching.IsSeated ? FlightState.Perched : sits ? FlightState.Landing : FlightState.Flying;
             if (m_Perching.Holds)
@@ -258,8 +260,12 @@ namespace Alate.Flight
             ref FlyingBody body = ref world.Body(m_Body);
             if (IsLost(body))
                 return;
-            Quaternion rotation = Rotations.Slerp((quaternion)m_FromRotation, body.rotation, math.saturate(alpha));
-            Show(rotation, m_From + (Vector3)(body.position * (m_Units * math.saturate(alpha))));
+            alpha = m_Perching.IsSeated ? 1f : math.saturate(alpha);
+            quaternion rotation = Rotations.Slerp((quaternion)m_FromRotation, body.rotation, alpha);
+            float3 centre = m_From + (Vector3)(body.position * (m_Units * alpha));
+            if (m_Perching.Holds && m_Seat.TryFindPerch(out PerchSpot perch))
+                m_Perching.Show(perch, alpha, ref rotation, ref centre);
+            Show(rotation, centre);
         }
 
         private void Show(Quaternion rotation, Vector3 centre)

@@ -30,10 +30,13 @@ namespace Alate.Tests.Flight
         /// <summary>The species' flights.</summary>
         public static PerchFlights Of(string name) => s_Known.GetOrAdd(name, _ => new PerchFlights(name));
 
-        /// <summary>Flies from above to a random spot of a slope up to 45°, and off again.</summary>
-        public PerchFlight Fly(int seed)
+        /// <summary>
+        /// Flies to a random spot of a slope within a range, degrees, from above it, or from below what overhangs by more than 90°, and off
+        /// again.
+        /// </summary>
+        public PerchFlight Fly(int seed, float leastSlope = 0f, float mostSlope = 45f)
         {
-            PerchSpot spot = RandomSpot(seed, 1.2f, 0.8f);
+            PerchSpot spot = RandomSpot(seed, 1.2f, 0.8f, leastSlope, mostSlope);
             var record = new PerchFlight();
             using (var flight = new FreeFlight(m_Model, m_Table))
                 spot.heading = Down(flight, spot, record);
@@ -61,15 +64,16 @@ namespace Alate.Tests.Flight
             return record;
         }
 
-        // Below the origin.
-        private static PerchSpot RandomSpot(int seed, float farthest, float highest)
+        // Below the origin, an overhang above it.
+        private static PerchSpot RandomSpot(int seed, float farthest, float highest, float leastSlope = 0f, float mostSlope = 45f)
         {
             var random = Random.CreateFromIndex((uint)seed);
-            float slope = math.radians(random.NextFloat(0f, 45f)), way = random.NextFloat(0f, 2f * math.PI),
+            float slope = math.radians(random.NextFloat(leastSlope, mostSlope)), way = random.NextFloat(0f, 2f * math.PI),
                 from = random.NextFloat(0f, 2f * math.PI);
             var normal = new float3(math.sin(slope) * math.sin(way), math.cos(slope), math.sin(slope) * math.cos(way));
             float3 off = new float3(math.sin(from), 0f, math.cos(from)) * random.NextFloat(0f, farthest)
                 + new float3(0f, random.NextFloat(0.35f, highest), 0f);
+            off.y *= normal.y < 0f ? -1f : 1f;
             off -= math.min(math.dot(off, normal) - 0.3f, 0f) * normal;
             return new PerchSpot { position = -off, normal = normal, heading = random.NextFloat(-math.PI, math.PI) };
         }

@@ -22,6 +22,20 @@ namespace Alate.Tests.Flight
         [TestCase("dragonfly", 1, Explicit = true, Category = "Long")]
         public void Insects_Land_AndLeave(string name, int count) => FlyAll(name, count);
 
+        // Walls, then overhangs and ceilings.
+        [TestCase("monarch", 1, 45f, 90f)]
+        [TestCase("monarch", 1, 90f, 180f)]
+        [TestCase("painted-lichen-moth", 1, 170f, 180f)]
+        [TestCase("monarch", 500, 45f, 90f, Explicit = true, Category = "Long")]
+        [TestCase("monarch", 500, 90f, 180f, Explicit = true, Category = "Long")]
+        [TestCase("swallowtail", 100, 45f, 180f, Explicit = true, Category = "Long")]
+        [TestCase("firefly", 100, 45f, 180f, Explicit = true, Category = "Long")]
+        [TestCase("fishfly", 100, 45f, 180f, Explicit = true, Category = "Long")]
+        [TestCase("painted-lichen-moth", 100, 45f, 180f, Explicit = true, Category = "Long")]
+        [TestCase("dragonfly", 100, 45f, 180f, Explicit = true, Category = "Long")]
+        public void OnWallsAndCeilings_InsectsLand_AndLeave(string name, int count, float least, float most) =>
+            FlyAll(name, count, least, most);
+
         [TestCase("monarch", 1000)]
         [TestCase("swallowtail", 200)]
         [TestCase("firefly", 200)]
@@ -57,14 +71,14 @@ namespace Alate.Tests.Flight
             Assert.That(all.Min(at => at.Flight.Lowest), Is.GreaterThan(0f), "below the spot");
         }
 
-        private static void FlyAll(string name, int count)
+        private static void FlyAll(string name, int count, float leastSlope = 0f, float mostSlope = 45f)
         {
             var flights = PerchFlights.Of(name);
-            var all = Enumerable.Range(1, count).Select(flights.Fly).ToList();
+            var all = Enumerable.Range(1, count).Select(seed => flights.Fly(seed, leastSlope, mostSlope)).ToList();
             var down = all.Where(flight => flight.Landed).ToList();
             TestContext.Progress.WriteLine(string.Create(
                 CultureInfo.InvariantCulture,
-                $"{name}: {down.Count} of {count} down, {all.Count(flight => flight.Tumbled)} tumbled, "
+                $"{name}, {leastSlope} to {mostSlope}°: {down.Count} of {count} down, {all.Count(flight => flight.Tumbled)} tumbled, "
                 + $"{all.Sum(flight => flight.Attempts)} new attempts, {all.Average(flight => flight.Seconds):0.0} s on average"));
             if (down.Count > 0)
             {
@@ -85,11 +99,16 @@ namespace Alate.Tests.Flight
             Assert.That(all.Where(flight => flight.Tumbled), Is.Empty);
             Assert.That(
                 down.Count(flight => flight.HeldSpeed > Landing.HoldSpeed), Is.LessThanOrEqualTo(0.06 * count), "too low to fly on");
-            Assert.That(down.Max(flight => Math.Abs(flight.Gap)), Is.LessThan(0.5f * flights.WingLength), "wings clear the spot");
+            Assert.That(down.Min(flight => flight.Gap), Is.GreaterThan(-0.5f * flights.WingLength), "wings clear the spot");
+
+            // Who rocks beside a wall is held from farther off, and turns away from it before it leaves.
+            bool isSteep = mostSlope > 45f;
+            Assert.That(down.Max(flight => flight.Gap), Is.LessThan((isSteep ? 0.8f : 0.5f) * flights.WingLength));
             Assert.That(down.Max(flight => flight.Beside), Is.LessThan(0.8f * flights.WingLength));
             Assert.That(down.Min(flight => flight.LeastHeight), Is.GreaterThan(0f), "hovering insects sink before they climb");
             Assert.That(
-                down.Min(flight => flight.LeftBehind), Is.GreaterThan(math.max(0.3f, 5f * flights.WingLength)), "within three seconds");
+                down.Min(flight => flight.LeftBehind),
+                Is.GreaterThan((isSteep ? 0.8f : 1f) * math.max(0.3f, 5f * flights.WingLength)), "within three seconds");
         }
     }
 }

@@ -8,7 +8,7 @@ namespace Alate.Flight
     /// surface, turning onto the surface and to the wanted heading, and sits; before a start the raised wings beat while the legs hold on,
     /// then the legs push the body up to where the wings can beat wholly. The default value holds no insect.
     /// </summary>
-    internal struct Perching
+    internal partial struct Perching
     {
         /// <summary>Fastest way down, m/s; shortest and longest time of it, seconds; rate of the body's turn, rad/s.</summary>
         private const float k_Gliding = 0.25f, k_SettleTime = 0.2f, k_MostTime = 1.5f, k_Turning = 6f;
@@ -24,8 +24,11 @@ namespace Alate.Flight
         /// <summary>Beats until the wings beat raised, and longest time in which a body that is held too low rises, seconds.</summary>
         private const float k_RaiseBeats = 1f, k_MostRaise = 0.3f;
 
-        /// <summary>Beats before the legs push off, and longest time in which the insect turns on its feet before it, seconds.</summary>
-        private const float k_StartBeats = 3f, k_MostStanding = 1f;
+        /// <summary>
+        /// Beats before the legs push off, and longest times in which the insect turns on its feet before it and waits on a perch that goes
+        /// up and down, seconds.
+        /// </summary>
+        private const float k_StartBeats = 3f, k_MostStanding = 1f, k_MostWait = 1.2f;
 
         /// <summary>
         /// Speed at the start and the end of the push, m/s, and its shortest time, seconds. Chosen within the jumps of moths.
@@ -33,9 +36,13 @@ namespace Alate.Flight
         private const float k_Push = 0.6f, k_Jump = 0.2f, k_PushTime = 0.12f;
 
         /// <summary>
-        /// Height of the push over that in which a downstroke clears the surface: most insects sink a little before they climb.
+        /// Height of the push over that in which a downstroke clears the surface: most insects sink a little before they climb. What is
+        /// added below a ceiling: the insect turns over meanwhile.
         /// </summary>
-        private const float k_PushShare = 1.45f;
+        private const float k_PushShare = 1.45f, k_OverhangPush = 0.3f;
+
+        /// <summary>Share of the push off a ceiling that is over when the body begins to turn: it is away when it is upright.</summary>
+        private const float k_TurnDelay = 0.5f;
 
         /// <summary>
         /// Share of a beat from which on the wings are raised enough to fly, and beats after the push within which they must be.
@@ -46,7 +53,10 @@ namespace Alate.Flight
         private quaternion m_FromRotation, m_Seat;
         private float3 m_FromFeet, m_FromVelocity, m_Spot, m_Normal, m_Up, m_Feet;
         private float m_Clearance, m_Time, m_WayTime, m_RaiseTime, m_Top, m_FromSpeed;
-        private int m_WholeAfter;
+        private int m_WholeAfter, m_Unmoved;
+        private PerchFrame m_Told;
+        private float3 m_ToldBefore;
+        private bool m_Rises, m_IsOnTop;
 
         /// <summary>Takes hold of an insect: the body moves no more by itself.</summary>
         /// <param name="body">The body.</param>
@@ -62,7 +72,10 @@ namespace Alate.Flight
             m_Normal = math.normalizesafe(spot.normal, new float3(0f, 1f, 0f));
             m_Seat = Facing(spot.heading);
             m_Spot = spot.position;
-            m_Up = math.normalizesafe(m_Normal + new float3(0f, 1f, 0f), m_Normal);
+            m_Told = new PerchFrame(spot.position, m_Normal, spot.heading);
+            m_ToldBefore = spot.position;
+            m_Unmoved = k_Still;
+            m_Up = math.normalizesafe(m_Normal + new float3(0f, math.min(1f + m_Normal.y, 1f), 0f), m_Normal);
             m_Clearance = clearance;
             Units = units;
             m_Feet = centre + math.rotate(body.rotation, legs);
@@ -86,6 +99,9 @@ namespace Alate.Flight
 
         private readonly float FromHeight => math.dot(m_FromFeet - m_Spot, m_Normal);
 
+        // 0 on the ground and on walls, 1 below a ceiling.
+        private readonly float Overhang => math.saturate(-1.4f * m_Normal.y);
+
         private readonly bool BeatsWhole => m_Stage == Stage.Pushing && m_WholeAfter >= 0;
 
         /// <summary>True where the feet are on the spot.</summary>
@@ -93,22 +109,6 @@ namespace Alate.Flight
 
         /// <summary>Velocity with which the insect flies off, m/s.</summary>
         public readonly float3 Jump => k_Jump * m_Up;
-
-        /// <summary>Takes the spot along with whoever moves the insect.</summary>
-        /// <param name="from">A point that goes along, world units.</param>
-        /// <param name="to">Where it goes.</param>
-        /// <param name="turn">Turn about the vertical.</param>
-        public void Carry(float3 from, float3 to, quaternion turn)
-        {
-            m_FromRotation = math.mul(turn, m_FromRotation);
-            m_FromVelocity = math.rotate(turn, m_FromVelocity);
-            m_Seat = math.mul(turn, m_Seat);
-            m_Normal = math.rotate(turn, m_Normal);
-            m_Up = math.rotate(turn, m_Up);
-            m_FromFeet = to + math.rotate(turn, m_FromFeet - from);
-            m_Spot = to + math.rotate(turn, m_Spot - from);
-            m_Feet = to + math.rotate(turn, m_Feet - from);
-        }
 
         /// <summary>Comes down to the spot and sits there.</summary>
         public void Sit(ref FlyingBody body, in HeldWings wings, float dt)
@@ -153,7 +153,7 @@ namespace Alate.Flight
             if (m_Stage == Stage.Standing)
             {
                 bool isTurned = Turn(heading, dt) || m_Time > k_MostStanding;
-                if (m_Time > m_WayTime && isTurned)
+                if (m_Time > m_WayTime && isTurned && (IsMomentToLeave || m_Time > m_WayTime + k_MostWait))
                     Push(ref body, math.min(m_Time - m_WayTime, dt), 2f / wings.Frequency);
             }
 
@@ -174,7 +174,8 @@ namespace Alate.Flight
                 wings.BeatWhole();
             }
 
-            body.rotation = Rotations.Slerp(m_FromRotation, body.rotation, Smooth(m_Time / m_WayTime));
+            float since = k_TurnDelay * Overhang, share = m_Time / m_WayTime;
+            body.rotation = Rotations.Slerp(m_FromRotation, body.rotation, Smooth((share - since) / (1f - since)));
             Hold(ref body);
         }
 
@@ -192,11 +193,15 @@ namespace Alate.Flight
             float rise = m_Top - FromHeight;
             m_RaiseTime = math.min(
                 math.max(least > 0f ? k_RaiseBeats / frequency : 0f, k_MostSlope * rise / (k_Gliding * Units)), k_MostRaise);
+
+            // Below an overhang it turns upside down first: upright its raised wings are the farthest up.
+            float turnTime = Angle(m_FromRotation, m_Seat) / k_Turning, first = Overhang * turnTime;
+            m_RaiseTime += first;
             velocity -= math.min(math.dot(velocity, m_Normal), 0f) * m_Normal;
             float way = math.distance(m_Feet + rise * m_Normal, m_Spot);
             float speed = math.max(k_Gliding * Units, math.length(velocity));
             m_WayTime = m_RaiseTime + math.clamp(k_MostSlope * way / speed, k_SettleTime, k_MostTime)
-                + Angle(m_FromRotation, m_Seat) / k_Turning;
+                + turnTime - first;
 
             // What the insect brings along carries it no farther than the way is long.
             m_FromVelocity = velocity * math.min(1f, k_MostSlope * way / math.max(math.length(velocity) * m_WayTime, 1e-6f * Units));
@@ -244,7 +249,7 @@ namespace Alate.Flight
         private void Push(ref FlyingBody body, float time, float leastTime)
         {
             body.reference = new BodyReference { heading = Headings.Of(m_Seat) };
-            float way = math.max(k_PushShare * m_Clearance * Units - math.dot(m_Feet - m_Spot, m_Normal), 0f)
+            float way = math.max((k_PushShare + k_OverhangPush * Overhang) * m_Clearance * Units - math.dot(m_Feet - m_Spot, m_Normal), 0f)
                 / math.max(math.dot(m_Up, m_Normal), 0.1f) / Units;
             m_Stage = Stage.Pushing;
             m_FromRotation = m_Seat;

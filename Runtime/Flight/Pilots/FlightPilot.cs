@@ -25,6 +25,13 @@ namespace Alate.Flight
         /// <inheritdoc/>
         public abstract FlightCommand Command(in FlightSituation situation);
 
+        /// <summary>Finds where what the insect sits on is by now; false where the pilot knows of nothing that may move.</summary>
+        internal virtual bool TryFindPerch(out PerchSpot spot)
+        {
+            spot = default;
+            return false;
+        }
+
         /// <summary>Changes a velocity so that the insect flies round colliders, whose rays all insects cast in one batch.</summary>
         /// <param name="velocity">Wanted, m/s along the world's axes.</param>
         /// <param name="situation">The insect now.</param>

@@ -73,6 +73,13 @@ namespace Alate.Flight
             }
         }
 
+        /// <summary>Finds where what the insect sits on is by now; false where the pilot does not know of anything that moves.</summary>
+        public bool TryFindPerch(out PerchSpot spot)
+        {
+            spot = default;
+            return Pilot is FlightPilot pilot && pilot.TryFindPerch(out spot);
+        }
+
         private void Search(double time)
         {
             m_NextSearch = time + k_Search;

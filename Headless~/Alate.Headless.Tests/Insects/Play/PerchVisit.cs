@@ -27,7 +27,8 @@ namespace Alate.Tests.Play
         private readonly float m_WingLength, m_BodyLength;
         private readonly InsectWings m_Wings;
         private readonly PerchPilot m_Pilot;
-        private PerchSpot m_Spot;
+        private PerchSpot m_Place;
+        private PerchMark m_Mark;
         private Vector3 m_Before;
         private Stage m_Stage;
         private float m_Time;
@@ -68,11 +69,24 @@ namespace Alate.Tests.Play
         /// <summary>Speed of the last step before the spot, m/s.</summary>
         public float LastSpeed { get; private set; }
 
+        private PerchSpot Spot => m_Mark != null ? m_Mark.Spot : m_Place;
+
+        // From the spot; from one that moves as it is drawn.
+        private Vector3 Off => (m_Mark != null ? Flight.transform.position : Flight.Position) - (Vector3)Spot.position;
+
         public void Begin(in PerchSpot spot)
         {
-            m_Spot = spot;
-            m_Before = Flight.Position;
+            m_Place = spot;
+            m_Before = Off;
             Assert.That(m_Pilot.LandOn(spot), $"spot {Seed}");
+        }
+
+        /// <summary>Begins a visit to a mark that moves.</summary>
+        public void Begin(PerchMark mark)
+        {
+            m_Mark = mark;
+            m_Before = Off;
+            Assert.That(m_Pilot.LandOn(mark), $"mark {Seed}");
         }
 
         /// <summary>Measures a frame, and asserts what must hold in it.</summary>
@@ -88,7 +102,7 @@ namespace Alate.Tests.Play
                 Sit();
             else
                 Leave();
-            m_Before = Flight.Position;
+            m_Before = Off;
         }
 
         private void Land(float step)
@@ -101,7 +115,7 @@ namespace Alate.Tests.Play
             }
             else if (Flight.State == FlightState.Perched)
             {
-                LastSpeed = (Flight.Position - m_Before).magnitude / (InsectDefinition.UnitsPerMetre * step);
+                LastSpeed = (Off - m_Before).magnitude / (InsectDefinition.UnitsPerMetre * step);
                 Assert.That(LastSpeed, Is.LessThan(0.3f), $"spot {Seed}: m/s");
                 Enter(Stage.Sitting);
             }
@@ -112,7 +126,7 @@ namespace Alate.Tests.Play
             Assert.That(Flight.State, Is.EqualTo(FlightState.Perched), $"spot {Seed}");
             if (m_Time > k_Folding)
             {
-                FeetOffSpot = math.max(FeetOffSpot, math.distance(Flight.transform.TransformPoint(m_Feet), m_Spot.position));
+                FeetOffSpot = math.max(FeetOffSpot, math.distance(Flight.transform.TransformPoint(m_Feet), Spot.position));
                 float lowest = m_Body.Min(place => Height(Flight.transform.TransformPoint(place)));
                 Assert.That(FeetOffSpot, Is.LessThan(0.01f * m_BodyLength), $"spot {Seed}: feet");
                 Assert.That(
@@ -132,7 +146,7 @@ namespace Alate.Tests.Play
                 return;
             Assert.That(Flight.State, Is.EqualTo(FlightState.Flying), $"spot {Seed}");
             Assert.That(
-                math.distance(Flight.Position, m_Spot.position), Is.GreaterThan(0.5f * m_BodyLength + m_WingLength), $"spot {Seed}: away");
+                math.distance(Flight.Position, Spot.position), Is.GreaterThan(0.5f * m_BodyLength + m_WingLength), $"spot {Seed}: away");
             Assert.That(LowestOfWings, Is.GreaterThan(0f), $"spot {Seed}: wings");
             Enter(Stage.Over);
         }
@@ -145,16 +159,27 @@ namespace Alate.Tests.Play
 
         private void MeasureWings()
         {
-            if (math.distance(Flight.Position, m_Spot.position) > k_Near * m_WingLength)
+            if (math.distance(Flight.Position, Spot.position) > k_Near * m_WingLength)
                 return;
             foreach (Wing wing in m_Wings.Wings)
             {
                 Matrix4x4 place = wing.Renderer.transform.localToWorldMatrix;
                 foreach (Vector3 vertex in wing.Renderer.GetComponent<MeshFilter>().sharedMesh.vertices)
-                    LowestOfWings = math.min(LowestOfWings, Height(place.MultiplyPoint3x4(vertex)));
+                {
+                    Vector3 at = place.MultiplyPoint3x4(vertex);
+                    if (IsOverIt(at))
+                        LowestOfWings = math.min(LowestOfWings, Height(at));
+                }
             }
         }
 
-        private float Height(Vector3 place) => math.dot((float3)place - m_Spot.position, m_Spot.normal);
+        // A slope has no end; a flower is as wide as the wings, and may later rise beside an insect that has left it.
+        private bool IsOverIt(Vector3 place)
+        {
+            float3 off = (float3)place - Spot.position;
+            return m_Mark == null || math.length(off - math.dot(off, Spot.normal) * Spot.normal) < m_WingLength;
+        }
+
+        private float Height(Vector3 place) => math.dot((float3)place - Spot.position, Spot.normal);
     }
 }

@@ -27,8 +27,11 @@ namespace Alate.Flight
         /// <summary>Reach aside of one that is too low to fly on, over the reach of the others.</summary>
         private const float k_LowReach = 2f;
 
-        /// <summary>Height of the line over its length on the ground: as slow insects sink.</summary>
-        private const float k_Rise = 0.45f;
+        /// <summary>
+        /// Height of the line over its length on the ground: as slow insects sink, and below a ceiling, where they climb; and upward part
+        /// of an overhang's normal from which on the line turns from one to the other.
+        /// </summary>
+        private const float k_Rise = 0.45f, k_Climb = -0.15f, k_Overhang = -0.5f;
 
         /// <summary>Distance of the line's top from the spot, metres, where the insect can stop within.</summary>
         private const float k_LineLength = 0.45f;
@@ -118,6 +121,7 @@ namespace Alate.Flight
         private PerchSpot m_Spot;
         private readonly float m_Stand;
         private float m_LineTime, m_RoundTime, m_Heading, m_Distance;
+        private PerchSway m_Sway;
         private bool m_HasCourse;
         private float3 m_Line, m_Drift, m_Slip, m_Round;
 
@@ -128,6 +132,7 @@ namespace Alate.Flight
             m_Spot = spot;
             m_Spot.normal = math.normalizesafe(spot.normal, new float3(0f, 1f, 0f));
             m_Stand = stand;
+            m_Sway = new PerchSway(spot.position);
         }
 
         /// <summary>The spot.</summary>
@@ -139,11 +144,26 @@ namespace Alate.Flight
         /// <summary>Number of times that the insect flew up again.</summary>
         public int Attempts { get; private set; }
 
+        /// <summary>
+        /// Tells where the spot is by now, each step. One that sways is flown to over the middle of its sway; the last wing length, which
+        /// is guided, ends where it is then.
+        /// </summary>
+        /// <param name="spot">Where; finite. A heading that is not a number stays as it was.</param>
+        /// <param name="deltaTime">Seconds since it was told last.</param>
+        public void Follow(in PerchSpot spot, float deltaTime)
+        {
+            m_Spot.position = spot.position;
+            m_Spot.normal = math.normalizesafe(spot.normal, m_Spot.normal);
+            m_Spot.heading = math.isfinite(spot.heading) ? spot.heading : m_Spot.heading;
+            m_Sway.Add(spot.position, deltaTime);
+        }
+
         /// <summary>Command for the next step.</summary>
         public FlightCommand Next(in FlightSituation situation)
         {
             float unit = situation.unitsPerMetre;
-            float3 seat = m_Spot.position + (m_Stand + Clearance * situation.wingLength) * unit * m_Spot.normal;
+            float3 seat = m_Sway.Middle
+                + ((m_Stand + Clearance * situation.wingLength) * unit + m_Sway.Along(m_Spot.normal)) * m_Spot.normal;
             float3 off = (situation.position - seat) / unit;
             if (!m_HasCourse)
                 ChooseCourse(situation, off);
@@ -241,7 +261,8 @@ namespace Alate.Flight
             Elementary.SinCos(m_Heading, out float sin, out float cos);
             var course = new float2(sin, cos);
             float2 down = m_Spot.normal.xz;
-            float most = k_Rise * m_Spot.normal.y - k_Clearance;
+            float rise = math.lerp(k_Rise, k_Climb, math.saturate((k_Overhang - m_Spot.normal.y) / (1f + k_Overhang)));
+            float most = rise * m_Spot.normal.y - k_Clearance;
             if (math.dot(course, down) > most && math.lengthsq(down) > 1e-6f)
             {
                 float2 slope = math.normalize(down);
@@ -252,10 +273,10 @@ namespace Alate.Flight
                 m_Heading = Elementary.Atan2(course.x, course.y);
             }
 
-            m_Line = math.normalize(new float3(-course.x, k_Rise, -course.y));
+            m_Line = math.normalize(new float3(-course.x, rise, -course.y));
         }
 
-        // Ahead and up for another try.
+        // Ahead and up for another try, below an overhang down.
         private FlightCommand GoRound(in FlightSituation situation)
         {
             IsFlaring = false;
@@ -264,7 +285,7 @@ namespace Alate.Flight
             Elementary.SinCos(situation.heading, out float sin, out float cos);
             var ahead = new float3(sin, 0f, cos);
             m_Round = math.min(k_RoundSpeed, situation.limits.TopSpeed) * math.normalizesafe(ahead + m_Spot.normal * new float3(1f, 0f, 1f))
-                + new float3(0f, situation.limits.MostClimb, 0f);
+                + new float3(0f, PerchPlan.Rise(situation, m_Spot.normal), 0f);
             return Wish(FlightWish.Land, m_Round, situation);
         }
 

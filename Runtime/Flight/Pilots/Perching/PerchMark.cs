@@ -5,7 +5,7 @@ namespace Alate.Flight
 {
     /// <summary>
     /// Marks a place where one insect at a time may sit: its feet at the object's origin, its back towards the object's up, its head
-    /// towards the object's forward.
+    /// towards the object's forward. Where the object moves and turns, the insect on it goes along.
     /// </summary>
     [AddComponentMenu("Alate/Perch Mark")]
     [DisallowMultipleComponent]

@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using Alate.Geometry;
 using Unity.Mathematics;
@@ -88,6 +89,27 @@ namespace Alate.Flight
             return true;
         }
 
+        /// <summary>
+        /// Goes for a mark now, and goes along with it where it moves. One that is taken, or is not finite, is refused with a warning.
+        /// </summary>
+        /// <returns>Whether the insect goes there.</returns>
+        public bool LandOn(PerchMark mark)
+        {
+            if (mark == null)
+                throw new ArgumentNullException(nameof(mark));
+            if (mark.Guest != this && !mark.IsFree)
+            {
+                Warn($"'{name}' cannot land on '{mark.name}': '{mark.Guest.name}' sits there, or goes there. It flies on.");
+                return false;
+            }
+
+            if (!LandOn(mark.Spot))
+                return false;
+            m_Mark = mark;
+            mark.Guest = this;
+            return true;
+        }
+
         /// <summary>Takes off, or gives up landing.</summary>
         public void TakeOff() => Plan.TakeOff();
 
@@ -98,6 +120,7 @@ namespace Alate.Flight
             m_SinceLook += situation.deltaTime;
             if (m_SinceLook >= k_LookTime)
                 Look(situation, settings);
+            Follow(situation.deltaTime);
             FlightCommand between = default;
             if (Plan.Stage == PerchStage.Between)
                 between = Below() is { } below && below != null ? below.Command(situation) : FlightCommand.Fly(default);
@@ -138,15 +161,31 @@ namespace Alate.Flight
         private void LookForSpot(in FlightSituation situation, in PerchSettings settings)
         {
             var mark = PerchMark.FindNearest(situation.position, settings.searchDistance, m_Left);
-            if (mark != null && LandOn(mark.Spot))
-            {
-                m_Mark = mark;
-                mark.Guest = this;
-            }
-            else if (mark == null && settings.landsOnSurfaces && FindSurface(situation, settings, out PerchSpot spot))
-            {
+            if (mark != null)
+                LandOn(mark);
+            else if (settings.landsOnSurfaces && FindSurface(situation, settings, out PerchSpot spot))
                 LandOn(spot);
+        }
+
+        // What is gone from under an insect lets it fly off; what it leaves moves on below it.
+        private void Follow(float deltaTime)
+        {
+            if (!(m_Mark is null) && m_Mark == null)
+            {
+                m_Mark = null;
+                Plan.TakeOff();
             }
+
+            if (TryFindPerch(out PerchSpot spot))
+                Plan.Follow(spot, deltaTime);
+        }
+
+        /// <inheritdoc/>
+        internal override bool TryFindPerch(out PerchSpot spot)
+        {
+            PerchMark mark = Stage == PerchStage.TakingOff ? m_Left : m_Mark;
+            spot = mark != null ? mark.Spot : default;
+            return mark != null && spot.IsPossible;
         }
 
         // Ahead and down: a place that the insect can turn to.

@@ -13,6 +13,9 @@ namespace Alate.Flight
         /// <summary>Speed of taking off ahead, m/s; many species cannot climb while they hover.</summary>
         private const float k_TakeOffSpeed = 0.65f;
 
+        /// <summary>Sinking away from a ceiling, m/s, and upward part of an overhang's normal below which nothing climbs.</summary>
+        private const float k_Drop = 0.2f, k_Overhang = -0.3f;
+
         /// <summary>Way of a start down a slope, over the slope's fall.</summary>
         private const float k_Downhill = 1.2f;
 
@@ -54,6 +57,11 @@ namespace Alate.Flight
             WantsSpot = false;
             m_Begun = true;
         }
+
+        /// <summary>Tells where the spot of the landing is by now, each step: one that moves takes the insect along.</summary>
+        /// <param name="spot">Where; finite.</param>
+        /// <param name="deltaTime">Seconds since it was told last.</param>
+        public void Follow(in PerchSpot spot, float deltaTime) => Landing?.Follow(spot, deltaTime);
 
         /// <summary>Sits on a spot from the start.</summary>
         public void Sit(in PerchSpot spot)
@@ -158,9 +166,16 @@ namespace Alate.Flight
             bool isFar = math.distance(situation.position, Landing.Spot.position) > k_TakeOffWay * situation.unitsPerMetre;
             if (m_Passed >= k_TakeOffTime || isFar)
                 FlyOn();
-            float3 velocity = math.min(k_TakeOffSpeed, situation.limits.TopSpeed) * m_Away + new float3(0f, situation.limits.MostClimb, 0f);
-            return FlightCommand.Fly(velocity);
+            float3 velocity = math.min(k_TakeOffSpeed, situation.limits.TopSpeed) * m_Away
+                + new float3(0f, Rise(situation, Landing.Spot.normal), 0f);
+            FlightCommand command = FlightCommand.Fly(velocity);
+            command.spot = Landing.Spot;
+            return command;
         }
+
+        /// <summary>Climb away from a surface, m/s: up, but not into an overhang.</summary>
+        internal static float Rise(in FlightSituation situation, float3 normal) =>
+            math.lerp(situation.limits.MostClimb, -k_Drop, math.saturate(normal.y / k_Overhang));
 
         private void FlyOn()
         {
