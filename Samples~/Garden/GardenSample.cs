@@ -28,7 +28,7 @@ namespace Alate.Samples
         private int m_Count = 8;
 
         [SerializeField, Range(0f, 2f)]
-        [Tooltip("Metres per second of wind along X, 0 to 2; 0.")]
+        [Tooltip("Metres per second of wind along X, 0 to 2; 0. Flowers lean and sway in it.")]
         private float m_Wind;
 
         [SerializeField, Range(0f, 1f)]
@@ -49,6 +49,7 @@ namespace Alate.Samples
 
         private readonly ScreenPanel m_Panel = new ScreenPanel(280f);
         private readonly List<GardenInsect> m_Butterflies = new List<GardenInsect>(), m_Others = new List<GardenInsect>();
+        private readonly List<GardenFlower> m_Flowers = new List<GardenFlower>();
         private readonly List<Object> m_Made = new List<Object>();
 
         // Above the flowers, so that insects come down to those on which they land and pass through none.
@@ -96,6 +97,8 @@ namespace Alate.Samples
             }
 
             m_Time += Time.deltaTime;
+            foreach (GardenFlower flower in m_Flowers)
+                flower.Show(m_Time, m_Wind);
             Tell(m_Butterflies);
             Tell(m_Others);
             m_Light.Show(m_Dusk, m_Camera.GetComponent<Camera>());
@@ -178,9 +181,7 @@ namespace Alate.Samples
             Mesh mesh = Keep(FlowerMesh.Create(1.1f, height, s_Petals[number % s_Petals.Length]));
             Transform flower = Draw($"Flower {number}", place, mesh, m_Solid);
             flower.localRotation = Quaternion.Euler(8f * (number % 3), angle, 0f);
-            Transform seat = new GameObject("Perch Mark").transform;
-            seat.SetParent(flower, false);
-            seat.gameObject.AddComponent<PerchMark>();
+            m_Flowers.Add(new GardenFlower(flower, height, number));
         }
 
         private Transform Draw(string name, Vector3 place, Mesh mesh, Material material)

@@ -34,13 +34,13 @@ namespace Alate.Tests.Flight
         /// Flies to a random spot of a slope within a range, degrees, from above it, or from below what overhangs by more than 90°, and off
         /// again.
         /// </summary>
-        public PerchFlight Fly(int seed, float leastSlope = 0f, float mostSlope = 45f)
+        public PerchFlight Fly(int seed, float leastSlope = 0f, float mostSlope = 45f, float wind = 0f)
         {
             PerchSpot spot = RandomSpot(seed, 1.2f, 0.8f, leastSlope, mostSlope);
             var record = new PerchFlight();
-            using (var flight = new FreeFlight(m_Model, m_Table))
+            using (var flight = new FreeFlight(m_Model, m_Table) { Wind = wind * Course(seed) })
                 spot.heading = Down(flight, spot, record);
-            if (record.Landed)
+            if (record.Landed && wind == 0f)
                 Leave(spot, spot.heading, record);
             return record;
         }
@@ -62,6 +62,12 @@ namespace Alate.Tests.Flight
             var record = new PerchFlight();
             Down(flight, spot, record);
             return record;
+        }
+
+        private static float3 Course(int seed)
+        {
+            math.sincos(Random.CreateFromIndex((uint)seed + 5000).NextFloat(2f * math.PI), out float sin, out float cos);
+            return new float3(sin, 0f, cos);
         }
 
         // Below the origin, an overhang above it.

@@ -71,6 +71,19 @@ namespace Alate.Tests.Flight
             Assert.That(all.Min(at => at.Flight.Lowest), Is.GreaterThan(0f), "below the spot");
         }
 
+        // A wind that begins as they do, as a gust; half of them came down within two minutes before they turned into it.
+        [TestCase("monarch", 2, 0.5f)]
+        [TestCase("monarch", 100, 0.25f, Explicit = true, Category = "Long")]
+        [TestCase("swallowtail", 30, 0.25f, Explicit = true, Category = "Long")]
+        [TestCase("dragonfly", 30, 0.25f, Explicit = true, Category = "Long")]
+        [TestCase("painted-lichen-moth", 30, 0.25f, Explicit = true, Category = "Long")]
+        public void InAWind_InsectsLandAgainstIt(string name, int count, float wind)
+        {
+            var flights = PerchFlights.Of(name);
+            int[] flying = [.. Enumerable.Range(1, count).Where(seed => !flights.Fly(seed, 0f, 20f, wind).Landed)];
+            Assert.That(flying, Is.Empty, "in the air after two minutes");
+        }
+
         private static void FlyAll(string name, int count, float leastSlope = 0f, float mostSlope = 45f)
         {
             var flights = PerchFlights.Of(name);

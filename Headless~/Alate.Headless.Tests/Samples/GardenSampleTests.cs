@@ -1,6 +1,7 @@
 using System.Collections;
 using System.Collections.Generic;
 using System.Linq;
+using Alate.Catalogue;
 using Alate.Cli;
 using Alate.Flight;
 using Alate.Samples;
@@ -219,6 +220,68 @@ public sealed class GardenSampleTests : SampleFixture<GardenSample>
         }
 
         Assert.That(brightest, dusk > 0f ? Is.GreaterThan(1f) : Is.Zero);
+    }
+
+    [UnityTest]
+    public IEnumerator InTheWind_FlowersSwayAboutTheirFeet_AndStandAsBeforeInACalm()
+    {
+        yield return Begin();
+        PerchMark[] marks = Sample.GetComponentsInChildren<PerchMark>();
+        Vector3[] before = [.. marks.Select(mark => mark.transform.position)];
+        DrawnScreen.Slide("Wind", 2f);
+        float[] farthest = new float[marks.Length], least = [.. before.Select(_ => float.PositiveInfinity)];
+        for (int frame = 0; frame < 120; frame++)
+        {
+            yield return null;
+            for (int k = 0; k < marks.Length; k++)
+            {
+                float off = Vector3.Distance(marks[k].transform.position, before[k]);
+                farthest[k] = Mathf.Max(farthest[k], off);
+                least[k] = Mathf.Min(least[k], off);
+            }
+        }
+
+        Assert.That(farthest, Is.All.InRange(0.2f, 1f), "2 to 10 cm of the insects' own size");
+        Assert.That(farthest.Zip(least, (most, few) => most - few), Is.All.GreaterThan(0.15f));
+        DrawnScreen.Slide("Wind", 0f);
+        yield return Frames(2);
+        Assert.That(marks.Select(mark => mark.transform.position), Is.EqualTo(before));
+    }
+
+    // As it is drawn, whatever the flower does.
+    [UnityTest]
+    [Explicit]
+    [Category("Long")]
+    public IEnumerator InTheWind_WhoSits_SwaysAlong()
+    {
+        yield return Begin();
+        DrawnScreen.Slide("Butterflies", 12f);
+        DrawnScreen.Slide("Shy", 0f);
+        DrawnScreen.Slide("Wind", 0.5f);
+        yield return Frames(60);
+        PerchMark[] marks = Sample.GetComponentsInChildren<PerchMark>();
+        var stays = new Dictionary<PerchPilot, Vector3>();
+        int seen = 0;
+        for (int frame = 0; frame < 3600; frame++)
+        {
+            yield return new WaitForEndOfFrame();
+            foreach (PerchPilot gone in stays.Keys.Where(pilot => pilot.Stage != PerchStage.Perched).ToList())
+                stays.Remove(gone);
+            foreach (PerchPilot pilot in Sample.GetComponentsInChildren<PerchPilot>().Where(pilot => pilot.Stage == PerchStage.Perched))
+            {
+                InsectFlight flight = pilot.GetComponent<InsectFlight>();
+                if (flight.State != FlightState.Perched)
+                    continue;
+                Transform flower = marks.Single(mark => mark.Guest == pilot).transform;
+                Vector3 place = flower.InverseTransformPoint(flight.transform.position);
+                if (stays.TryGetValue(pilot, out Vector3 before))
+                    Assert.That(Vector3.Distance(place, before), Is.LessThan(1e-3f), $"{flight.name} at {frame / 60f:0.0} s");
+                stays[pilot] = before == default ? place : before;
+                seen++;
+            }
+        }
+
+        Assert.That(seen, Is.GreaterThan(3000), "a minute of sitting, of all together");
     }
 
     private static void AssertSits(InsectFlight flight, Transform flower, string who)

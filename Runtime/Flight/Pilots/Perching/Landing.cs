@@ -94,6 +94,11 @@ namespace Alate.Flight
         /// </summary>
         private const float k_MostTurn = 0.8f, k_Aligned = 0.6f;
 
+        /// <summary>
+        /// Wind, m/s, above which the line is turned into it, wholly from twice of it: slow insects cannot fly backwards.
+        /// </summary>
+        private const float k_Calm = 0.1f;
+
         /// <summary>Height of the line over the surface, over its length on the ground: room for wings beside a slope.</summary>
         private const float k_Clearance = 0.3f;
 
@@ -121,6 +126,7 @@ namespace Alate.Flight
         private PerchSpot m_Spot;
         private readonly float m_Stand;
         private float m_LineTime, m_RoundTime, m_Heading, m_Distance;
+        private float2 m_CourseWind;
         private PerchSway m_Sway;
         private bool m_HasCourse;
         private float3 m_Line, m_Drift, m_Slip, m_Round;
@@ -233,6 +239,8 @@ namespace Alate.Flight
                 ChooseCourse(situation, off);
             }
 
+            if (math.distance(situation.wind.xz, m_CourseWind) > k_Calm)
+                ChooseCourse(situation, off);
             float along = math.dot(off, m_Line);
             if (math.length(off.xz) < k_Near && math.dot(off, m_Spot.normal) < 0f)
                 return GoRound(situation);
@@ -258,6 +266,14 @@ namespace Alate.Flight
             m_Heading = isNear ? situation.heading + math.PI : Elementary.Atan2(-off.x, -off.z);
             if (math.isfinite(m_Spot.heading))
                 m_Heading += math.clamp(Headings.Wrap(m_Spot.heading - m_Heading), -k_MostTurn, k_MostTurn);
+            float2 wind = m_CourseWind = situation.wind.xz;
+            float strength = math.length(wind);
+            if (strength > k_Calm)
+            {
+                float upwind = Headings.Wrap(Elementary.Atan2(-wind.x, -wind.y) - m_Heading);
+                m_Heading += math.saturate(strength / k_Calm - 1f) * upwind;
+            }
+
             Elementary.SinCos(m_Heading, out float sin, out float cos);
             var course = new float2(sin, cos);
             float2 down = m_Spot.normal.xz;
