@@ -47,7 +47,7 @@ namespace Alate.Samples
             }
 
             float angle = 2f * Mathf.PI * (m_Rate * time + m_Phase);
-            Quaternion bend = Quaternion.Euler(
+            var bend = Quaternion.Euler(
                 wind * 0.5f * k_Sway * Mathf.Sin(0.8f * angle), 0f, -wind * (k_Lean + k_Sway * Mathf.Sin(angle)));
             m_Flower.localPosition = m_Foot + bend * (m_Place - m_Foot);
             m_Flower.localRotation = bend * m_Rotation;

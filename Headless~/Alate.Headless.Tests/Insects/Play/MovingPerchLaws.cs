@@ -22,7 +22,7 @@ namespace Alate.Tests.Play
             {
                 float time = step * StepLength;
                 float3 place = Spot + units * new float3(0.05f * math.sin(6f * time), 0.02f * time, -0.03f * time);
-                quaternion tilt = quaternion.AxisAngle(math.normalize(new float3(1f, 0f, 2f)), 0.3f * math.sin(5f * time));
+                var tilt = quaternion.AxisAngle(math.normalize(new float3(1f, 0f, 2f)), 0.3f * math.sin(5f * time));
                 float3 leaning = math.rotate(tilt, normal);
                 perching.Follow(ref body, new PerchSpot { position = place, normal = 3f * leaning, heading = float.NaN });
                 perching.Sit(ref body, Wings, StepLength);

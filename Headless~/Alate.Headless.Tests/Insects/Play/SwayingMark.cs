@@ -26,7 +26,7 @@ namespace Alate.Tests.Play
 
         private void Update()
         {
-            float3 ahead = new float3(math.sin(m_Spot.heading), 0f, math.cos(m_Spot.heading));
+            var ahead = new float3(math.sin(m_Spot.heading), 0f, math.cos(m_Spot.heading));
             float sway = math.sin(2f * math.PI * (Time.time + m_Phase));
 
             // As it goes it leans.

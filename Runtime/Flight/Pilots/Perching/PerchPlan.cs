@@ -168,7 +168,7 @@ namespace Alate.Flight
                 FlyOn();
             float3 velocity = math.min(k_TakeOffSpeed, situation.limits.TopSpeed) * m_Away
                 + new float3(0f, Rise(situation, Landing.Spot.normal), 0f);
-            FlightCommand command = FlightCommand.Fly(velocity);
+            var command = FlightCommand.Fly(velocity);
             command.spot = Landing.Spot;
             return command;
         }
