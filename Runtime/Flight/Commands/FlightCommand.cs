@@ -18,7 +18,10 @@ namespace Alate.Flight
         /// <summary>Wish besides flying on.</summary>
         public FlightWish wish;
 
-        /// <summary>Spot to sit on, with <see cref="FlightWish.Land"/>.</summary>
+        /// <summary>
+        /// Spot to sit on, with <see cref="FlightWish.Land"/>. Of an insect that sits: where its spot is by now. What moves takes it along;
+        /// what is more than 0.2 m off in a step is another spot, and does not.
+        /// </summary>
         public PerchSpot spot;
 
         /// <summary>Flight at a velocity over ground, m/s along the world's axes; the heading follows the way.</summary>

@@ -27,10 +27,11 @@ namespace Alate.Flight
         /// seen from above.
         /// </summary>
         /// <param name="spot">A heading that is not a number stays as it was.</param>
+        /// <param name="most">World units; what jumps farther is another spot, and takes nothing along.</param>
         /// <param name="from">Where it was, world units.</param>
         /// <param name="turn">Its turn since then.</param>
-        /// <returns>True where it has moved.</returns>
-        public bool Move(in PerchSpot spot, out float3 from, out quaternion turn)
+        /// <returns>True where it has moved and takes along what sits there.</returns>
+        public bool Move(in PerchSpot spot, float most, out float3 from, out quaternion turn)
         {
             float3 normal = math.normalizesafe(spot.normal, m_Normal);
             float heading = math.isfinite(spot.heading) ? spot.heading : m_Heading;
@@ -49,7 +50,7 @@ namespace Alate.Flight
             Position = spot.position;
             m_Normal = normal;
             m_Heading = heading;
-            return true;
+            return math.distance(from, Position) <= most;
         }
     }
 }

@@ -8,6 +8,9 @@ namespace Alate.Flight
         /// <summary>Steps without a motion along the normal after which a perch is still: frames may be longer than steps.</summary>
         private const int k_Still = 5;
 
+        /// <summary>Longest way of a perch between two steps, metres: what jumps farther is another place.</summary>
+        private const float k_MostJump = 0.2f;
+
         // A perch that goes up and down is left where it begins to sink: a small insect would be overtaken.
         private readonly bool IsMomentToLeave => m_IsOnTop || m_Unmoved >= k_Still;
 
@@ -37,8 +40,12 @@ namespace Alate.Flight
         {
             m_ToldBefore = m_Told.Position;
             m_Unmoved++;
-            if (!m_Told.Move(spot, out float3 from, out quaternion turn))
+            if (!m_Told.Move(spot, k_MostJump * Units, out float3 from, out quaternion turn))
+            {
+                m_ToldBefore = m_Told.Position;
                 return;
+            }
+
             float3 to = m_Told.Position;
             float rise = math.dot(to - from, m_Normal);
             m_Unmoved = rise == 0f ? m_Unmoved : 0;
@@ -74,16 +81,16 @@ namespace Alate.Flight
         public readonly void Show(in PerchSpot now, float alpha, ref quaternion rotation, ref float3 centre)
         {
             PerchFrame frame = m_Told;
-            if (!IsSeated)
+            bool hasMoved = frame.Move(now, k_MostJump * Units, out float3 from, out quaternion turn);
+            if (IsSeated)
             {
-                float share = Smooth(m_Time / m_WayTime), held = m_Stage == Stage.ComingDown ? share : 1f - share;
-                centre += held * (now.position - math.lerp(m_ToldBefore, frame.Position, alpha));
+                rotation = hasMoved ? math.mul(turn, rotation) : rotation;
+                centre = hasMoved ? frame.Position + math.rotate(turn, centre - from) : centre;
+                return;
             }
-            else if (frame.Move(now, out float3 from, out quaternion turn))
-            {
-                rotation = math.mul(turn, rotation);
-                centre = frame.Position + math.rotate(turn, centre - from);
-            }
+
+            float share = Smooth(m_Time / m_WayTime), held = m_Stage == Stage.ComingDown ? share : 1f - share;
+            centre += held * ((hasMoved ? frame.Position : from) - math.lerp(m_ToldBefore, from, alpha));
         }
     }
 }

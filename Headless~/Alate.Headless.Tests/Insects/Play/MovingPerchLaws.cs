@@ -47,6 +47,26 @@ namespace Alate.Tests.Play
             yield break;
         }
 
+        // A pilot that names another spot does not drag the insect there.
+        [UnityTest]
+        public IEnumerator AnotherSpot_DoesNotTakeItAlong([Values(0.19f, 0.21f)] float way, [Values(1f, 10f)] float units)
+        {
+            var up = new float3(0f, 1f, 0f);
+            Perching perching = Seated(up, 0f, k_Clearance, units, out FlyingBody body);
+            var spot = new PerchSpot { position = Spot + new float3(way * units, 0f, 0f), normal = up, heading = 0f };
+            quaternion rotation = body.rotation;
+            float3 centre = perching.Centre(rotation, units * Legs), before = centre;
+            perching.Show(spot, 1f, ref rotation, ref centre);
+            Assert.That(math.distance(centre, before), Is.EqualTo(way < 0.2f ? way * units : 0f).Within(1e-5f * units));
+            perching.Follow(ref body, spot);
+            Assert.That(math.distance(Feet(perching, body, units), Spot), Is.EqualTo(way < 0.2f ? way * units : 0f).Within(1e-5f * units));
+            spot.position += new float3(0f, 0f, 0.05f * units);
+            perching.Follow(ref body, spot);
+            float along = Feet(perching, body, units).z - Spot.z;
+            Assert.That(along, Is.EqualTo(0.05f * units).Within(1e-5f * units), "from there on it goes along");
+            yield break;
+        }
+
         // Over a surface that goes up and down the way down is that over one that stays.
         [UnityTest]
         public IEnumerator OnTheWayDown_TheHeightIsThatOverAPerchThatStays([Values(0.3f, -0.3f)] float speed)

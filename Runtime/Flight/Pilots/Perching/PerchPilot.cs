@@ -30,7 +30,9 @@ namespace Alate.Flight
         private int m_Seed;
 
         private PerchPlan m_Plan;
-        private PerchMark m_Mark, m_Left;
+
+        // The mark whose guest the insect is, and that of its last landing, until it is away and longer; null where that was on none.
+        private PerchMark m_Mark, m_Last;
         private WingRest m_Rest;
         private InsectWings m_Wings;
         private float m_SinceLook;
@@ -85,6 +87,7 @@ namespace Alate.Flight
             if (!OuterBounds.Hold(spot.heading, OuterBounds.Turning))
                 spot.heading = float.NaN;
             Leave();
+            m_Last = null;
             Plan.Land(spot, Stand);
             return true;
         }
@@ -105,7 +108,7 @@ namespace Alate.Flight
 
             if (!LandOn(mark.Spot))
                 return false;
-            m_Mark = mark;
+            m_Mark = m_Last = mark;
             mark.Guest = this;
             return true;
         }
@@ -160,7 +163,7 @@ namespace Alate.Flight
 
         private void LookForSpot(in FlightSituation situation, in PerchSettings settings)
         {
-            var mark = PerchMark.FindNearest(situation.position, settings.searchDistance, m_Left);
+            var mark = PerchMark.FindNearest(situation.position, settings.searchDistance, m_Last);
             if (mark != null)
                 LandOn(mark);
             else if (settings.landsOnSurfaces && FindSurface(situation, settings, out PerchSpot spot))
@@ -183,9 +186,9 @@ namespace Alate.Flight
         /// <inheritdoc/>
         internal override bool TryFindPerch(out PerchSpot spot)
         {
-            PerchMark mark = Stage == PerchStage.TakingOff ? m_Left : m_Mark;
-            spot = mark != null ? mark.Spot : default;
-            return mark != null && spot.IsPossible;
+            bool isUnder = Stage != PerchStage.Between && m_Last != null;
+            spot = isUnder ? m_Last.Spot : default;
+            return isUnder && spot.IsPossible;
         }
 
         // Ahead and down: a place that the insect can turn to.
@@ -213,7 +216,6 @@ namespace Alate.Flight
         {
             if (m_Mark == null)
                 return;
-            m_Left = m_Mark;
             if (m_Mark.Guest == this)
                 m_Mark.Guest = null;
             m_Mark = null;

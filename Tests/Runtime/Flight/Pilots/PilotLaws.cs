@@ -170,53 +170,6 @@ namespace Alate.Tests.Play
             yield return null;
         }
 
-        // Where the mark goes the landing goes, and the insect that sits; a mark that is destroyed lets it fly off.
-        [UnityTest]
-        public IEnumerator AMark_TakesTheInsectAlong_UntilItIsGone()
-        {
-            PerchPilot pilot = Keep(new GameObject("percher")).AddComponent<PerchPilot>();
-            pilot.Settings.stayTime = 100f;
-            PerchMark mark = Keep(new GameObject("flower")).AddComponent<PerchMark>();
-            FlightSituation situation = Situation();
-            situation.unitsPerMetre = 1f;
-            situation.referenceVelocity = situation.velocity = default;
-            float height = 6.1e-3f + 1.2f * k_Length;
-            Assert.That(pilot.LandOn(mark));
-            Assert.That(mark.Guest, Is.SameAs(pilot));
-            situation.position = new float3(0f, height, 0f) + 0.4f * math.normalize(new float3(0f, 0.45f, -1f));
-            for (int step = 0; step < 5 && pilot.Stage != PerchStage.Perched; step++)
-            {
-                pilot.Command(situation);
-                situation.position = new float3(0f, height, 0f);
-            }
-
-            situation.state = FlightState.Perched;
-            mark.transform.SetPositionAndRotation(new Vector3(1f, 2f, 3f), Quaternion.Euler(0f, 40f, 20f));
-            FlightCommand command = pilot.Command(situation);
-            Assert.That(command.wish, Is.EqualTo(FlightWish.Perch));
-            Assert.That((Vector3)command.spot.position, Is.EqualTo(mark.transform.position));
-            Assert.That((Vector3)command.spot.normal, Is.EqualTo(mark.transform.up));
-            situation.position = mark.transform.position;
-            UnityEngine.Object.DestroyImmediate(mark.gameObject);
-            pilot.Command(situation);
-            Assert.That(pilot.Stage, Is.EqualTo(PerchStage.TakingOff));
-            yield return null;
-        }
-
-        [UnityTest]
-        public IEnumerator AMarkThatIsTaken_OrNone_IsRefused()
-        {
-            PerchPilot first = Keep(new GameObject("first")).AddComponent<PerchPilot>(),
-                second = Keep(new GameObject("second")).AddComponent<PerchPilot>();
-            PerchMark mark = Keep(new GameObject("flower")).AddComponent<PerchMark>();
-            Assert.That(first.LandOn(mark) && first.LandOn(mark), "again is no other");
-            LogAssert.Expect(LogType.Warning, "'second' cannot land on 'flower': 'first' sits there, or goes there. It flies on.");
-            Assert.That(second.LandOn(mark), Is.False);
-            Assert.That((second.Stage, mark.Guest), Is.EqualTo((PerchStage.Between, (FlightPilot)first)));
-            Assert.That(() => second.LandOn(null), Throws.ArgumentNullException);
-            yield return null;
-        }
-
         // Looked at five times a second: what is watched comes nearer than the distance, or does not.
         [UnityTest]
         public IEnumerator ItFlees_FromWhatComesNearerThanItsDistance([Values(4.9f, 5.1f)] float distance)
