@@ -127,7 +127,8 @@ namespace Alate.Tests.Play
                 var tangent = (Vector3)tangents[v];
                 Assert.That(normals[v].magnitude, Is.EqualTo(1f).Within(k_Byte));
                 Assert.That(tangent.magnitude, Is.EqualTo(1f).Within(k_Byte));
-                Assert.That(Vector3.Dot(normals[v], tangent), Is.EqualTo(0f).Within(1e-2f));
+                // Each is off by as much; which pose is seen depends on where the frame falls between two steps.
+                Assert.That(Vector3.Dot(normals[v], tangent), Is.EqualTo(0f).Within(2f * k_Byte));
                 Assert.That(tangents[v].w, Is.EqualTo(-1f));
                 turned = Mathf.Max(turned, Vector3.Angle(normals[v], Vector3.up));
             }
