@@ -57,6 +57,7 @@ namespace Alate.Flight
             Add((uint)parameters.substepsPerBeat);
             ModelOptions o = parameters.options;
             Add((uint)o.coefficients * 1024 + (uint)o.tangent * 256 + (o.clampLift ? 128u : 0u) + (o.addedMass ? 4096u : 0u)
+                + (o.bodyReaction ? 8192u : 0u) + (o.attachedRotation ? 16384u : 0u)
                 + (uint)o.cycleChange * 64
                 + (uint)o.torqueArm * 16 + (uint)o.springUnits * 8 + (uint)o.coupling * 4 + (uint)o.timeScheme);
             Add(parameters.kinematics);

@@ -16,6 +16,8 @@ namespace Alate.Flight
         /// <summary>Share of the drag at top speed by which a body that floats is sped up.</summary>
         private const float k_SwimShare = 0.25f;
 
+        private readonly BodyMasses m_Hull;
+
         /// <summary>Makes the model; flies the wings some beats on the spot to see where their mass lies on average.</summary>
         /// <param name="wings">All wings, right and left.</param>
         /// <param name="parts">Parts of the body.</param>
@@ -42,9 +44,13 @@ namespace Alate.Flight
             var sum = new MassSum();
             foreach (FlightWing wing in wings)
                 sum.Add(wing.Mass, WingMass.Of(wing), wing.Length * wing.Axes, wing.Hinge);
-            AddParts(sum, parts, mass - sum.Mass);
+            double wingMass = sum.Mass;
+            AddParts(sum, parts, mass - wingMass);
             Centre = sum.Centre;
             Inertia = sum.Inertia;
+            var hull = new MassSum();
+            AddParts(hull, parts, mass - wingMass);
+            m_Hull = hull.About(Centre);
         }
 
         /// <summary>All wings.</summary>
@@ -111,6 +117,8 @@ namespace Alate.Flight
         {
             mass = Mass,
             inertia = Inertia,
+            hull = m_Hull,
+            reacts = Wings[0].Parameters.options.bodyReaction ? 1 : 0,
             drag = Drag,
             weight = EarthGravity.Down * GravityShare,
             gravity = EarthGravity.Down,

@@ -62,30 +62,38 @@ namespace Alate.Flight
         public float3 Centre => new float3((float)(m_First[0] / Mass), (float)(m_First[1] / Mass), (float)(m_First[2] / Mass));
 
         /// <summary>Inertia about the centre of mass.</summary>
-        public float3x3 Inertia
+        public float3x3 Inertia => InertiaAbout(m_First[0] / Mass, m_First[1] / Mass, m_First[2] / Mass);
+
+        /// <summary>Masses about a point, which do not move.</summary>
+        public BodyMasses About(float3 point)
         {
-            get
+            float3 first = default;
+            for (int i = 0; i < 3; i++)
+                first[i] = (float)(m_First[i] - Mass * point[i]);
+            return new BodyMasses { first = first, inertia = InertiaAbout(point.x, point.y, point.z) };
+        }
+
+        private float3x3 InertiaAbout(params double[] point)
+        {
+            double[,] second = new double[3, 3];
+            double trace = 0.0;
+            for (int i = 0; i < 3; i++)
             {
-                double[,] second = new double[3, 3];
-                double trace = 0.0;
-                for (int i = 0; i < 3; i++)
-                {
-                    for (int j = 0; j < 3; j++)
-                        second[i, j] = m_Second[i, j] - m_First[i] * m_First[j] / Mass;
-                    trace += second[i, i];
-                }
-
-                float3x3 inertia = default;
                 for (int j = 0; j < 3; j++)
-                {
-                    float3 column = default;
-                    for (int i = 0; i < 3; i++)
-                        column[i] = (float)((i == j ? trace : 0.0) - second[i, j]);
-                    inertia[j] = column;
-                }
-
-                return inertia;
+                    second[i, j] = m_Second[i, j] - m_First[i] * point[j] - point[i] * m_First[j] + Mass * point[i] * point[j];
+                trace += second[i, i];
             }
+
+            float3x3 inertia = default;
+            for (int j = 0; j < 3; j++)
+            {
+                float3 column = default;
+                for (int i = 0; i < 3; i++)
+                    column[i] = (float)((i == j ? trace : 0.0) - second[i, j]);
+                inertia[j] = column;
+            }
+
+            return inertia;
         }
     }
 }

@@ -64,8 +64,8 @@ namespace Alate
             body.damping.c2 += LongDamping(air, q, default, new float3(1f, 0f, 0f));
         }
 
-        // Drag of the hull in body axes, N, in the middle of the substep.
-        private static float3 Hull(in FlyingBody body, out float speed)
+        /// <summary>Evaluates the drag of the hull in body axes, N, and the speed of the air, m/s, in the middle of the substep.</summary>
+        public static float3 Hull(in FlyingBody body, out float speed)
         {
             float3 stream = math.rotate(math.conjugate(body.middleRotation), body.wind - body.middleVelocity);
             speed = math.length(stream);

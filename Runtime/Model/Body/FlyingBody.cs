@@ -6,7 +6,7 @@ namespace Alate
     /// A body that its wings carry: what it is, how it moves, what it follows. SI units; world axes unless said otherwise.
     /// </summary>
     /// <remarks>
-    /// 520 bytes a body: what it is, how it moves and what its feedback remembers in one piece, because a substep of one body reads most of
+    /// 672 bytes a body: what it is, how it moves and what its feedback remembers in one piece, because a substep of one body reads most of
     /// it. Bodies are few beside wings, and each turns differently: they are not laid out in lanes.
     /// </remarks>
     internal unsafe struct FlyingBody
@@ -24,6 +24,16 @@ namespace Alate
 
         /// <summary>Inertia about the centre of mass in body axes, kg m².</summary>
         public float3x3 inertia;
+
+        /// <summary>1 where the inertia of the wings moves the body.</summary>
+        public int reacts;
+
+        /// <summary>Masses of the body without its wings.</summary>
+        public BodyMasses hull;
+
+        /// <summary>Masses of body and wings at the end of the last substep, and 1 where they are known.</summary>
+        public BodyMasses masses;
+        public int knowsMasses;
 
         /// <summary>½ρA along each axis of the body, kg/m.</summary>
         public float3 drag;

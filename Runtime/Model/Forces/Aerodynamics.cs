@@ -31,6 +31,8 @@ namespace Alate
                 CellSheet.Gather(&sheet, pack, scratch, joint, next);
                 Normals(pack, scratch, patches, &sheet);
                 DropSpanwiseFlow(pack, scratch, patches, &sheet);
+                if (pack.options.attachedRotation)
+                    Rotate(pack, scratch, patches, &motion);
                 Forces(pack, scratch, patches, loads);
                 Distribute(pack, scratch, patches, joint, loads);
             }
@@ -80,6 +82,22 @@ namespace Alate
                     scratch.alongSpan[patch] = math.abs(along) / math.sqrt(square);
                 else
                     scratch.relativeWind[patch] = wind - span * (along / square);
+            }
+        }
+
+        // The wing meets across its surface what its three-quarter chord does: a quarter of the chord behind the middle the surface moves
+        // by a quarter chord times the rate of the chord's direction. cos²α of the attached flow is 1 − (w·n)²/w².
+        private static void Rotate(in WingPack pack, in StepScratch scratch, PatchCell* cell, CellMotion* motion)
+        {
+            int end = cell->firstPatch + cell->patchCount;
+            for (int patch = cell->firstPatch; patch < end; patch++)
+            {
+                SoaFloat3 normal = scratch.normals[patch], wind = scratch.relativeWind[patch];
+                SoaFloat3 rate = CellMotion.ChordRateAt(motion, pack.rig.patchU[patch], pack.rig.patchV[patch]);
+                float4 speed2 = math.max(SoaFloat3.LengthSquared(wind), 1e-12f), across = SoaFloat3.Dot(wind, normal);
+                float4 attached = 1f - across * across / speed2;
+                scratch.relativeWind[patch] =
+                    wind + normal * (SoaFloat3.Dot(rate, normal) * attached * pack.rig.patchQuarterChords[patch]);
             }
         }
 

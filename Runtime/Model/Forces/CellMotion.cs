@@ -38,6 +38,10 @@ namespace Alate
             BilinearField.Gather(&field->m_Chord, scratch.chordRates, joint, next);
         }
 
+        /// <summary>Rate of the direction of the chord, ahead, at (u, v) of the cell, 1/s.</summary>
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public static SoaFloat3 ChordRateAt(CellMotion* field, float4 u, float4 v) => BilinearField.At(&field->m_Chord, u, v);
+
         /// <summary>Velocity of the surface at (u, v) of the cell, rest point (x, z).</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public static SoaFloat3 At(CellMotion* field, float4 u, float4 v, float4 x, float4 z) =>

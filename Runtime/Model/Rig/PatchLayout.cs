@@ -15,12 +15,16 @@ namespace Alate
         public readonly float[] chord;
         public readonly float[] areas;
 
+        /// <summary>[patch] Quarter of the wing's chord there, L.</summary>
+        public readonly float[] quarterChords;
+
         /// <param name="rest">The skeleton.</param>
         /// <param name="map">Its cells.</param>
         /// <param name="triangles">The wing.</param>
         /// <param name="located">Where the centres of the triangles lie.</param>
+        /// <param name="chords">Chords of the wing.</param>
         /// <param name="wanted">About how many patches; 0 for one per triangle.</param>
-        public PatchLayout(RestSkeleton rest, CellMap map, SurfaceTriangles triangles, CellPoint[] located, int wanted)
+        public PatchLayout(RestSkeleton rest, CellMap map, SurfaceTriangles triangles, CellPoint[] located, SpanChords chords, int wanted)
         {
             int[] clusters = wanted == 0 || wanted >= triangles.Count
                 ? PatchClusters.OnePerTriangle(rest, located, out int[] firsts)
@@ -40,6 +44,8 @@ namespace Alate
                 cells[cell].patchCount = firsts[cell + 1] - firsts[cell];
                 Place(map, cell, centres);
             }
+
+            quarterChords = System.Array.ConvertAll(span, x => (float)(0.25 * chords.At(x)));
         }
 
         public int Count => areas.Length;

@@ -23,7 +23,8 @@ namespace Alate
             FitCheck.Run(SurfaceCheck.Name(surface), rest, triangles, centres);
 
             CellPoint[] weights = cells.Locate(points);
-            float[] added = AddedMasses.OfJoints(rest, points, triangles, weights);
+            var chords = new SpanChords(points, triangles);
+            float[] added = AddedMasses.OfJoints(rest, chords, triangles, weights);
             float[] masses = JointMasses.OfJoints(rest, triangles, weights);
             float[] inertias = JointMasses.Inertias(rest, masses);
             var beams = new BeamHinges(skeleton, rest, masses, inertias);
@@ -44,8 +45,8 @@ namespace Alate
                 leverDamping = JointMasses.LeverDamping(rest),
                 springs = SpringNetwork.Make(rest),
                 strips = new StripNetwork(rest),
-                patches = new PatchLayout(rest, cells, triangles, centres, settings.patchCount),
-                coarsePatches = new PatchLayout(rest, cells, triangles, centres, WingRigSettings.CoarsePatches),
+                patches = new PatchLayout(rest, cells, triangles, centres, chords, settings.patchCount),
+                coarsePatches = new PatchLayout(rest, cells, triangles, centres, chords, WingRigSettings.CoarsePatches),
                 influences = new VertexInfluences(rest, weights),
                 skin = new SkinLayout(rest, frame, weights, surface, SurfaceNormals.Make(surface, frame)),
             };

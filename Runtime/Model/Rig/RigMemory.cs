@@ -91,6 +91,7 @@ namespace Alate
             rig.patchV = (float*)Pointer(patches.v);
             rig.patchSpan = (float*)Pointer(patches.span);
             rig.patchChord = (float*)Pointer(patches.chord);
+            rig.patchQuarterChords = (float*)Pointer(patches.quarterChords);
             rig.patchAreas = (float*)Pointer(patches.areas);
             rig.patchMeasures = (float*)Pointer(patches.Measures(rest));
         }

@@ -8,7 +8,7 @@ namespace Alate
     /// joint; cell index = forward chain · (m−1) + inner joint.
     /// </summary>
     /// <remarks>
-    /// 312 bytes a rig, and none a wing but its copy in the pack's header: all wings with the same mesh and skeleton read one copy of the
+    /// 320 bytes a rig, and none a wing but its copy in the pack's header: all wings with the same mesh and skeleton read one copy of the
     /// arrays.
     /// </remarks>
     internal unsafe struct RigView
@@ -130,6 +130,9 @@ namespace Alate
 
         /// <summary>[patch] Rest centre forward of the hinge, z.</summary>
         public float* patchChord;
+
+        /// <summary>[patch] Quarter of the wing's chord at the centre, L.</summary>
+        public float* patchQuarterChords;
 
         /// <summary>[patch] Rest area, L².</summary>
         public float* patchAreas;

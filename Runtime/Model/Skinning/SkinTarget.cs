@@ -4,7 +4,7 @@ namespace Alate
 {
     /// <summary>Wing as passed to the skinning job: its pose, its rig, and the vertices to write.</summary>
     /// <remarks>
-    /// 432 bytes a wing, the rig's view by value: a chunk of the job needs nothing but its target and the pack.
+    /// 440 bytes a wing, the rig's view by value: a chunk of the job needs nothing but its target and the pack.
     /// </remarks>
     internal unsafe struct SkinTarget
     {

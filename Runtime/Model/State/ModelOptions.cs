@@ -56,6 +56,20 @@ namespace Alate
         [Tooltip("Adds the mass of the air that the wing carries along where it is accelerated across its surface. Off by default.")]
         public bool addedMass;
 
+        /// <summary>
+        /// True where the inertia of beating wings moves the body that they carry, in flight alone. False in both readings: the paper's
+        /// bodies follow given trajectories.
+        /// </summary>
+        [Tooltip("In flight: the inertia of the beating wings moves the body. Trims of its own are to be baked for it. Off by default.")]
+        public bool bodyReaction;
+
+        /// <summary>
+        /// True where a wing that turns about its span meets the air of its three-quarter chord, as far as the flow is attached (cos² of
+        /// the angle of attack): the rotational lift of Kramer 1932, Sane and Dickinson 2002. False in both readings.
+        /// </summary>
+        [Tooltip("Adds the lift of a wing that turns about its span, as far as the flow is attached. Off by default.")]
+        public bool attachedRotation;
+
         /// <summary>The options of <see cref="ModelReading.Physical"/>.</summary>
         public static ModelOptions Physical => new ModelOptions { clampLift = true };
 
@@ -104,7 +118,8 @@ namespace Alate
         public bool Equals(ModelOptions other) =>
             coefficients == other.coefficients && tangent == other.tangent && clampLift == other.clampLift
                 && cycleChange == other.cycleChange && torqueArm == other.torqueArm && springUnits == other.springUnits
-                && coupling == other.coupling && timeScheme == other.timeScheme && addedMass == other.addedMass;
+                && coupling == other.coupling && timeScheme == other.timeScheme && addedMass == other.addedMass
+                && bodyReaction == other.bodyReaction && attachedRotation == other.attachedRotation;
 
         /// <inheritdoc/>
         public override bool Equals(object obj) => obj is ModelOptions other && Equals(other);
@@ -112,7 +127,8 @@ namespace Alate
         /// <inheritdoc/>
         public override int GetHashCode() =>
             HashCode.Combine(
-                coefficients, tangent, clampLift, cycleChange, torqueArm, springUnits, coupling, HashCode.Combine(timeScheme, addedMass));
+                coefficients, tangent, clampLift, cycleChange, torqueArm, springUnits, coupling,
+                HashCode.Combine(timeScheme, addedMass, bodyReaction, attachedRotation));
 
         // Looked up once: Enum.IsDefined boxes, and presets are compared in every step.
         private static class Known<T> where T : unmanaged, Enum

@@ -153,6 +153,7 @@ namespace Alate
             view.series = (float4*)carver.Carve<float4>(WingKinematics.Count);
             view.inflow = (LaneInflow*)carver.Carve<LaneInflow>(1);
             view.air = (LaneAir*)carver.Carve<LaneAir>(1);
+            view.momentum = (LaneMomentum*)carver.Carve<LaneMomentum>(1);
             view.readings = (PackReadings*)carver.Carve<PackReadings>(1);
             view.beat = (BeatState*)carver.Carve<BeatState>(1);
             view.bendStiffness = (float4*)carver.Carve<float4>(bones);

@@ -7,8 +7,8 @@ namespace Alate
     /// arrays are indexed by joint or bone, every element holds the four wings.
     /// </summary>
     /// <remarks>
-    /// 680 bytes a pack, by value in the array of the step job: a kernel finds counts and arrays of its pack with one load. Behind it lies
-    /// one block, of 15,648 bytes a wing of a monarch, each array on cache lines of its own, of which the poses within the step are the
+    /// 696 bytes a pack, by value in the array of the step job: a kernel finds counts and arrays of its pack with one load. Behind it lies
+    /// one block, of 15,712 bytes a wing of a monarch, each array on cache lines of its own, of which the poses within the step are the
     /// largest part: rendering takes any time within a step without stepping again. Every byte of the block belongs to a lane, so that a
     /// wing moves to another pack by copying each fourth float.
     /// </remarks>
@@ -40,6 +40,11 @@ namespace Alate
 
         /// <summary>Air of the last substep.</summary>
         public LaneAir* air;
+
+        /// <summary>
+        /// Masses of the joints and their motion at the end of the last substep; only with <see cref="ModelOptions.bodyReaction"/>.
+        /// </summary>
+        public LaneMomentum* momentum;
         public BeatState* beat;
 
         /// <summary>Bending stiffness per bone, from the parameters and the rig.</summary>

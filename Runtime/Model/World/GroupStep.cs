@@ -130,7 +130,11 @@ namespace Alate
                 body.table.Read(body.reference.airSpeed, body.reference.climb, point);
                 if (!due)
                     body.latched = 0;
-                BodyMotion.Place(ref body, point, BodyBob.At(point, phase + 0.5f * h * beat->rate[lane]), body.reference.velocity);
+                float middle = phase + 0.5f * h * beat->rate[lane];
+                if (body.reacts != 0)
+                    BodyMotion.PlaceOnBob(ref body, point, middle, beat->rate[lane], body.reference.velocity);
+                else
+                    BodyMotion.Place(ref body, point, BodyBob.At(point, middle), body.reference.velocity);
             }
             else if (body.mode == BodyMode.Free && body.follows > 1)
             {
@@ -187,13 +191,41 @@ namespace Alate
             for (int k = 0; k < body.wingCount; k++)
                 air.Add(lists.wings[body.firstWing + k], lists.packs[lists.wings[body.firstWing + k].pack]);
             body.power += air.power;
-            if (body.mode == BodyMode.Free && body.follows == 0)
+            bool flies = body.mode == BodyMode.Free && body.follows == 0;
+            if (body.reacts != 0)
+                React(ref body, lists, air, flies, h);
+            else if (flies)
                 BodyMotion.Step(ref body, air, h);
             else
                 BodyMotion.Read(ref body, air);
 
             body.reference.velocity += h * body.reference.acceleration;
             body.reference.heading += h * body.reference.turning;
+        }
+
+        // The same of a body that the inertia of its wings moves.
+        private static void React(ref FlyingBody body, in GroupLists lists, in BodyAir air, bool flies, float h)
+        {
+            BodyMasses now = body.hull;
+            for (int k = 0; k < body.wingCount; k++)
+                now.Add(lists.wings[body.firstWing + k], lists.packs[lists.wings[body.firstWing + k].pack]);
+            if (flies)
+            {
+                BodyReaction.Step(ref body, air, now, h);
+                return;
+            }
+
+            BodyMotion.Read(ref body, air);
+            if (body.mode != BodyMode.Held)
+            {
+                body.knowsMasses = 0;
+                return;
+            }
+
+            float* point = stackalloc float[TrimPoint.Floats];
+            body.table.Read(body.reference.airSpeed, body.reference.climb, point);
+            BeatState* beat = lists.Beat(body, out int lane);
+            BodyReaction.Hold(ref body, point, beat->phase[lane], h * beat->rate[lane], now, h);
         }
 
         // Far away and out of sight nobody computes the wings' forces.
@@ -207,6 +239,7 @@ namespace Alate
             body.reference.heading += dt * body.reference.turning;
             body.follows = k_SettledBeats + 1;
             body.latched = 1;
+            body.knowsMasses = 0;
         }
 
         // The body follows its reference in the trimmed attitude with its bob, and the wings are commanded the trim's beat.

@@ -126,6 +126,8 @@ namespace Alate
             Bending.Pose(pack, scratch);
             float4 iterations = ElasticStep.Step(pack, scratch, step);
             JointFrames.Evaluate(pack, scratch, scratch.pose);
+            if (pack.carries && pack.options.bodyReaction)
+                WingMomentum.Evaluate(pack, scratch, h);
             JointFrames.Motions(pack, scratch, h);
             Keep(pack, scratch, h);
             pack.readings->newtonIterations += iterations;

@@ -88,6 +88,7 @@ namespace Alate
             float* point = stackalloc float[TrimPoint.Floats];
             body.table.Read(body.reference.airSpeed, body.reference.climb, point);
             BodyMotion.PlaceOnBob(ref body, point, wing.Phase, 2f * math.PI * wing.Frequency, body.reference.velocity);
+            body.knowsMasses = 0;
         }
 
         /// <summary>Sets a body's last command, in units.</summary>

@@ -77,6 +77,8 @@ namespace Alate.Tests.Flight
             Keep("coupling", Changed(Change((ref WingParameters p) => p.options.coupling = 1 - p.options.coupling)));
             Keep("lift", Changed(Change((ref WingParameters p) => p.options.clampLift = !p.options.clampLift)));
             Keep("added mass", Changed(Change((ref WingParameters p) => p.options.addedMass = !p.options.addedMass)));
+            Keep("reaction", Changed(Change((ref WingParameters p) => p.options.bodyReaction = !p.options.bodyReaction)));
+            Keep("rotation", Changed(Change((ref WingParameters p) => p.options.attachedRotation = !p.options.attachedRotation)));
             Keep("tilt", Changed(Change((ref WingParameters p) => p.tilt += 0.01f)));
             Keep("elasticity", Changed(Change((ref WingParameters p) => p.elasticity *= 1.01f)));
             Keep("amplitude", Changed(Change((ref WingParameters p) => p.amplitude.y += 0.01f)));
@@ -156,7 +158,7 @@ namespace Alate.Tests.Flight
             {
                 foreach (TimeScheme scheme in Enum.GetValues(typeof(TimeScheme)))
                 {
-                    for (int bits = 0; bits < 128; bits++)
+                    for (int bits = 0; bits < 512; bits++)
                     {
                         int b = bits;
                         keys.Add(KeyOf(Change((ref WingParameters p) => p.options = new ModelOptions
@@ -170,6 +172,8 @@ namespace Alate.Tests.Flight
                             springUnits = (SpringUnits)(b >> 4 & 1),
                             coupling = (MembraneCoupling)(b >> 5 & 1),
                             addedMass = (b & 64) != 0,
+                            bodyReaction = (b & 128) != 0,
+                            attachedRotation = (b & 256) != 0,
                         })));
                         count++;
                     }

@@ -117,7 +117,7 @@ namespace Alate.Tests
             var map = new CellMap(rest);
             var triangles = new SurfaceTriangles(points, surface.triangles);
             CellPoint[] located = map.Locate(triangles.centres.ToArray());
-            var layout = new PatchLayout(rest, map, triangles, located, 0);
+            var layout = new PatchLayout(rest, map, triangles, located, new SpanChords(points, triangles), 0);
             Assert.That(layout.cells[0].patchCount, Is.EqualTo(3));
             float[] shares = { 0f, 0.02f, 0.7f };
             for (int k = 0; k < 3; k++)

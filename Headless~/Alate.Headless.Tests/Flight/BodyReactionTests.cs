@@ -1,0 +1,177 @@
+using System;
+using System.Collections.Generic;
+using Alate.Catalogue;
+using Alate.Flight;
+using NUnit.Framework;
+using Unity.Mathematics;
+
+namespace Alate.Tests.FreeFlights
+{
+    /// <summary>
+    /// Reaction of the wings on the body: momentum and angular momentum of both without air and weight, summed over all masses in double
+    /// precision from where they are, and the bob that it makes.
+    /// </summary>
+    public sealed class BodyReactionTests
+    {
+        private const double k_Allowed = 1e-3;
+        private const int k_Beats = 10, k_Substeps = 240;
+
+        [TestCase("monarch", true)]
+        [TestCase("monarch", false)]
+        [TestCase("dragonfly", true)]
+        [TestCase("firefly", true)]
+        public void WithoutAirAndWeight_MomentumStays(string species, bool even)
+        {
+            using var insect = new FlyingInsect(species);
+            using FlightModel model = InVacuum(insect.Model, InsectCatalogue.Find(species));
+            using var tunnel = new FlightTunnel(model, 1);
+            var condition = new FlightCondition(0.65f, 0f);
+            float[] point = insect.Table.PointNear(condition.Speed, condition.Climb);
+            var trim = TrimState.Read(point, model.Frequency);
+            tunnel.Set(0, trim, condition, point);
+            tunnel.Restart();
+            float h = 1f / (model.Frequency * (float)trim.FrequencyScale * k_Substeps);
+            for (int step = 0; step < 3 * k_Substeps; step++)
+                tunnel.World.StepOnce(h);
+            tunnel.World.PlaceOnBob(tunnel.Body(0));
+            ref FlyingBody body = ref tunnel.World.Body(tunnel.Body(0));
+            body.mode = BodyMode.Free;
+            body.weight = body.gravity = default;
+            if (!even)
+            {
+                for (int command = TrimPoint.LongCommands; command < FlightCommands.Count; command++)
+                    tunnel.World.SetLast(tunnel.Body(0), command, 0.5f);
+            }
+
+            var all = new List<Masses>();
+            for (int step = 0; step < k_Beats * k_Substeps; step++)
+            {
+                tunnel.World.StepOnce(h);
+                all.Add(new Masses(model, tunnel, InsectCatalogue.Find(species)));
+            }
+
+            Vector start = default, end = default, turning = default, turned = default;
+            double wings = 0, spun = 0;
+            for (int k = 1; k + 1 < all.Count; k++)
+            {
+                all[k].Momentum(
+                    all[k - 1], all[k + 1], 2 * h, out Vector linear, out Vector angular, out double own, out double ownTurning);
+                wings = Math.Max(wings, own);
+                spun = Math.Max(spun, ownTurning);
+                if (k <= k_Substeps)
+                    (start, turning) = (start + linear, turning + angular);
+                if (k > all.Count - 2 - k_Substeps)
+                    (end, turned) = (end + linear, turned + angular);
+            }
+
+            double off = (end - start).Length / (k_Substeps * wings), offTurning = (turned - turning).Length / (k_Substeps * spun);
+            TestContext.Out.WriteLine($"{species}: off by {off:0.0e+0} and {offTurning:0.0e+0} of the wings'");
+            Assert.That(off, Is.LessThan(k_Allowed));
+            Assert.That(offTurning, Is.LessThan(k_Allowed));
+        }
+
+        // The bob that answers the wings' inertia on a body that is held is that of one that flies.
+        [TestCase("monarch", 0.5, 10.0, 12.5)]
+        [TestCase("painted-lichen-moth", 0.3, 3.5, 5.0)]
+        public void TheBobOfATrim_IsFlown(string species, double allowed, double least, double most)
+        {
+            using var insect = new FlyingInsect(species);
+            SetOptions(insect.Model);
+            using var model = new FlightModel(
+                insect.Model.Wings, InsectCatalogue.Find(species).FlightParts, insect.Model.Mass, insect.Model.FluidDensity);
+            using var solver = new TrimSolver(model);
+            using var tunnel = new FlightTunnel(model, BeatMap.Insects);
+            var condition = new FlightCondition(1.3f, 0f);
+            TrimState trim = solver.Solve(condition, solver.Start(), out double[] residual);
+            Assert.That(TrimSolver.Norm(residual), Is.LessThan(TrimSolver.Closed));
+            float[] point = new float[TrimPoint.Floats];
+            trim.Write(point, model.Frequency);
+            Assert.That(FlightGains.Write(BeatMap.Fly(tunnel, model, trim, condition), point));
+            TrimState flown = FlownTrim.Fly(model, point, trim, condition, out string lost);
+            Assert.That(lost, Is.Null);
+
+            double solved = trim.PitchBob * 180 / Math.PI, bob = flown.PitchBob * 180 / Math.PI;
+            TestContext.Out.WriteLine($"{species}: {solved:0.00}° held, {bob:0.00}° flown");
+            Assert.That(bob, Is.EqualTo(solved).Within(allowed).And.InRange(least, most));
+        }
+
+        private static void SetOptions(FlightModel own)
+        {
+            foreach (FlightWing wing in own.Wings)
+            {
+                WingParameters parameters = wing.Parameters;
+                parameters.options.bodyReaction = true;
+                wing.Parameters = parameters;
+            }
+        }
+
+        private static FlightModel InVacuum(FlightModel own, InsectDefinition insect)
+        {
+            SetOptions(own);
+            foreach (FlightWing wing in own.Wings)
+            {
+                WingParameters parameters = wing.Parameters;
+                parameters.airDensity = 0f;
+                wing.Parameters = parameters;
+            }
+
+            return new FlightModel(own.Wings, insect.FlightParts, own.Mass, 1e-9f, own.GravityShare);
+        }
+
+        /// <summary>All masses of an insect at one time, in the world.</summary>
+        private sealed class Masses
+        {
+            private readonly List<(double Mass, Vector At)> m_Joints = [];
+            private readonly double m_Body;
+            private readonly Vector m_Place, m_Turning;
+
+            public Masses(FlightModel model, FlightTunnel tunnel, InsectDefinition insect)
+            {
+                FlyingBody body = tunnel.World.Body(tunnel.Body(0));
+                Vector origin = new Vector(body.position) - new Vector(body.positionRest);
+                var parts = new MassSum();
+                double shares = 0, wings = 0;
+                foreach (FlightWing wing in model.Wings)
+                    wings += wing.Mass;
+                foreach (BodyEllipsoid part in insect.FlightParts)
+                    shares += part.share;
+                m_Body = model.Mass - wings;
+                foreach (BodyEllipsoid part in insect.FlightParts)
+                    parts.Add(m_Body * part.share / shares, part.centre, part.halfAxes);
+                m_Place = origin + Vector.Rotate(body.rotation, new Vector(parts.Centre) - new Vector(model.Centre));
+                m_Turning = Vector.Rotate(body.rotation, Vector.Transform(parts.Inertia, new Vector(body.spin)));
+                for (int k = 0; k < model.Wings.Count; k++)
+                {
+                    FlightWing wing = model.Wings[k];
+                    WingReading reading = tunnel.World.Read(tunnel.Wings(0)[k]);
+                    for (int joint = 0; joint < wing.Rig.JointCount; joint++)
+                    {
+                        float3 at = reading.JointPosition(joint / wing.Rig.JointsPerChain, joint % wing.Rig.JointsPerChain);
+                        Vector place = new Vector(wing.Hinge) - new Vector(model.Centre)
+                            + Vector.Transform(wing.Axes, new Vector(at, wing.Length));
+                        m_Joints.Add((wing.Mass * wing.Rig.JointMasses[joint], origin + Vector.Rotate(body.rotation, place)));
+                    }
+                }
+            }
+
+            public void Momentum(
+                Masses before, Masses after, double time, out Vector linear, out Vector angular, out double own, out double ownTurning)
+            {
+                linear = m_Body / time * (after.m_Place - before.m_Place);
+                angular = m_Turning + Vector.Cross(m_Place, linear);
+                Vector wings = default, turning = default;
+                for (int k = 0; k < m_Joints.Count; k++)
+                {
+                    Vector moved = m_Joints[k].Mass / time * (after.m_Joints[k].At - before.m_Joints[k].At);
+                    wings += moved;
+                    turning += Vector.Cross(m_Joints[k].At - m_Place, moved);
+                    angular += Vector.Cross(m_Joints[k].At, moved);
+                }
+
+                linear += wings;
+                own = wings.Length;
+                ownTurning = turning.Length;
+            }
+        }
+    }
+}
