@@ -1,6 +1,7 @@
 using System.Collections;
 using System.Collections.Generic;
 using System.Linq;
+using Alate.Flight;
 using NUnit.Framework;
 using StandIns;
 using UnityEngine;
@@ -65,9 +66,10 @@ public abstract class SampleFixture<T> : PlayFixture where T : MonoBehaviour
             yield return null;
     }
 
-    // Kinds and names of what there is; the skin of the screen is made once.
+    // Kinds and names of what there is; the skin of the screen is made once, and the trims of the catalogue once for all insects.
     private static string[] Left() =>
         [.. Resources.FindObjectsOfTypeAll<Object>()
-            .Where(made => made is Mesh or Material or Texture2D or GameObject or (ScriptableObject and not GUISkin))
+            .Where(made => made is Mesh or Material or Texture2D or GameObject or (ScriptableObject
+                and not (GUISkin or FlightTrims { hideFlags: HideFlags.HideAndDontSave })))
             .Select(made => $"{made.GetType().Name} {made.name}").Order()];
 }
