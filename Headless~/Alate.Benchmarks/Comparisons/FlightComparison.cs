@@ -26,6 +26,16 @@ internal static class FlightComparison
         double[] time = Race.Run(flight.Contestant, wings.Contestant);
         report.Ratio(Targets.Flight, time[0], time[1], time[0] / time[1]);
 
+        using (var ahead = new FlyingSwarm(Insects, flies: true, allTerms: true))
+        {
+            for (int frame = 0; frame < k_Frames; frame++)
+                ahead.Frame();
+
+            report.Check("insects with all terms fly ahead", ahead.FastestBody(), 2.5);
+            time = Race.Run(ahead.Contestant, wings.Contestant);
+            report.Ratio(Targets.FlightByReaction, time[0], time[1], time[0] / time[1]);
+        }
+
         long before = GC.GetAllocatedBytesForCurrentThread();
         for (int frame = 0; frame < k_Frames; frame++)
             flight.Frame();

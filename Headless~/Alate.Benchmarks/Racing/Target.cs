@@ -37,6 +37,8 @@ internal static class Targets
     public static readonly Target Cores = new("two_cores_over_one", "two cores / one, 64 insects", "us/insect", 1.7, 1.9);
     public static readonly Target Flight = new(
         "flight_over_wings", "frame of 400 monarchs that fly / of their wings", "us/insect", 1.1, 1.05);
+    public static readonly Target FlightByReaction = new(
+        "flight_by_reaction_over_wings", "frame of 400 monarchs with all terms / of their wings", "us/insect", 1.15, 1.1);
     public static readonly Target Inflow = new(
         "inflow_over_beat", "beat of 64 monarchs with a replayed wake / without", "us/insect", 1.02, 1.01);
     public static readonly Target Trace = new("trace_2000_ms", "tracing a picture of 2000 x 2000", "ms", 2000, 1000);

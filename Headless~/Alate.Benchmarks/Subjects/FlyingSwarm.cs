@@ -6,7 +6,10 @@ using Unity.Mathematics;
 
 namespace Alate.Benchmarks;
 
-/// <summary>Monarchs that hover by their own wings, or as many wings with the same beat that carry nothing.</summary>
+/// <summary>
+/// Monarchs that hover by their own wings, or fly ahead with all terms of the physics, or as many wings with the same beat that carry
+/// nothing.
+/// </summary>
 internal sealed class FlyingSwarm : IDisposable
 {
     private const float k_FrameTime = 1f / 60f;
@@ -15,12 +18,32 @@ internal sealed class FlyingSwarm : IDisposable
     private readonly TrimTable m_Table;
     private readonly List<BodyHandle> m_Bodies = [];
     private readonly FlightReference[] m_References;
+    private readonly FlightCondition m_Condition;
 
-    public FlyingSwarm(int insects, bool flies)
+    /// <param name="insects">How many.</param>
+    /// <param name="flies">True where the wings carry bodies.</param>
+    /// <param name="allTerms">True with *Body Reaction* and *Attached Rotation*, level at 1.3 m/s, for which a trim is made.</param>
+    public FlyingSwarm(int insects, bool flies, bool allTerms = false)
     {
         InsectDefinition monarch = InsectCatalogue.Find("monarch");
         m_Model = CatalogueFlight.CreateModel(monarch);
-        m_Table = CatalogueFlight.CreateTable(monarch, m_Model);
+        if (allTerms)
+        {
+            m_Condition = new FlightCondition(1.3f, 0f);
+            foreach (FlightWing wing in m_Model.Wings)
+            {
+                WingParameters parameters = wing.Parameters;
+                parameters.options.bodyReaction = parameters.options.attachedRotation = true;
+                wing.Parameters = parameters;
+            }
+
+            m_Table = new TrimBake(m_Model).Bake([m_Condition.Speed], [m_Condition.Climb]);
+        }
+        else
+        {
+            m_Table = CatalogueFlight.CreateTable(monarch, m_Model);
+        }
+
         m_References = new FlightReference[insects];
         Insects = insects;
         for (int k = 0; k < insects; k++)
@@ -68,13 +91,15 @@ internal sealed class FlyingSwarm : IDisposable
 
     private void Add(int number, bool flies)
     {
-        WingDrive drive = m_Table.DriveNear(0f, 0f);
+        WingDrive drive = m_Table.DriveNear(m_Condition.Speed, m_Condition.Climb);
         var wings = new List<WingHandle>();
         if (flies)
         {
             FlyingBody body = m_Model.CreateBody();
             body.table = m_Table.View;
             body.steered = 1;
+            body.reference = new BodyReference { velocity = new float3(0f, 0f, m_Condition.Speed), airSpeed = m_Condition.Speed };
+            m_References[number] = new FlightReference(body.reference.velocity, 0f, default);
             m_Bodies.Add(m_Model.AddTo(World, body, wings));
         }
         else
@@ -99,7 +124,8 @@ internal sealed class FlyingSwarm : IDisposable
         for (int k = 0; k < m_Bodies.Count; k++)
         {
             ref FlyingBody body = ref World.Body(m_Bodies[k]);
-            body.reference = m_References[k].Step(default, 0f, body.wind, body.velocityError, m_Table, true, k_FrameTime);
+            body.reference = m_References[k].Step(
+                new float3(0f, 0f, m_Condition.Speed), 0f, body.wind, body.velocityError, m_Table, true, k_FrameTime);
         }
     }
 }
