@@ -46,6 +46,7 @@ public sealed class ProofRunTests
         ];
         RunningEditor.Scenes.Clear();
         (RunningEditor.ExitCode, RunningEditor.Seconds) = (null, 100.0);
+        SetDone(false);
     }
 
     [TearDown]
