@@ -118,7 +118,7 @@ namespace Alate.Flight
             mass = Mass,
             inertia = Inertia,
             hull = m_Hull,
-            reacts = Wings[0].Parameters.options.bodyReaction ? 1 : 0,
+            reacts = AllReact() ? 1 : 0,
             drag = Drag,
             weight = EarthGravity.Down * GravityShare,
             gravity = EarthGravity.Down,
@@ -152,6 +152,18 @@ namespace Alate.Flight
             gravityShare = wing.GravityShare,
             side = wing.IsLeft ? -1f : 1f,
         };
+
+        // Masses of a wing without the option would be missing.
+        private bool AllReact()
+        {
+            foreach (FlightWing wing in Wings)
+            {
+                if (!wing.Parameters.options.bodyReaction)
+                    return false;
+            }
+
+            return true;
+        }
 
         private uint KeyOf(IReadOnlyList<BodyEllipsoid> parts)
         {

@@ -83,14 +83,21 @@ namespace Alate
         /// <summary>Sets attitude and motion to the trim's with its bob.</summary>
         public static unsafe void Place(ref FlyingBody body, float* point, in BodyBob bob, float3 velocity)
         {
-            quaternion heading = Rotations.AboutY(body.reference.heading);
-            body.rotation = math.normalize(math.mul(heading, Rotations.AboutX(bob.turn - point[TrimPoint.Pitch])));
-            body.velocity = velocity + math.rotate(heading, bob.velocity);
-            body.spin = new float3(bob.rate, 0f, 0f);
+            OnBob(body, point, bob, velocity, out body.rotation, out body.velocity, out body.spin);
             body.acceleration = body.spinRate = default;
             body.middleRotation = body.rotation;
             body.middleVelocity = body.velocity;
             body.middleSpin = body.spin;
+        }
+
+        /// <summary>Finds attitude and motion of the trim with its bob.</summary>
+        public static unsafe void OnBob(
+            in FlyingBody body, float* point, in BodyBob bob, float3 mean, out quaternion rotation, out float3 velocity, out float3 spin)
+        {
+            quaternion heading = Rotations.AboutY(body.reference.heading);
+            rotation = math.normalize(math.mul(heading, Rotations.AboutX(bob.turn - point[TrimPoint.Pitch])));
+            velocity = mean + math.rotate(heading, bob.velocity);
+            spin = new float3(bob.rate, 0f, 0f);
         }
 
         /// <summary>Sets attitude and motion to the trim's with its bob at a phase, and their rates to those of the bob.</summary>
@@ -110,7 +117,8 @@ namespace Alate
             body.spinRate = new float3(perStep * (after.rate - before.rate), 0f, 0f);
         }
 
-        private static void Advance(ref FlyingBody body, float3 change, float3 turnChange, float h)
+        /// <summary>Moves a body whose velocity and angular velocity change by so much, world and body axes.</summary>
+        public static void Advance(ref FlyingBody body, float3 change, float3 turnChange, float h)
         {
             body.Move(h * (body.velocity + 0.5f * change));
             body.rotation = math.normalize(math.mul(body.rotation, Turn(h * (body.spin + 0.5f * turnChange))));

@@ -1,4 +1,3 @@
-using Alate.Geometry;
 using Unity.Mathematics;
 
 namespace Alate
@@ -24,23 +23,23 @@ namespace Alate
                 before, body.masses.Turning(math.rotate(math.conjugate(before), body.velocity), body.spin));
 
             float3 hull = BodyMotion.Hull(body, out float speed);
-            float3 weight = body.mass * body.weight, arm = 0.5f * (body.masses.first + now.first);
+            float3 weight = body.mass * body.weight, first = math.rotate(middle, 0.5f * (body.masses.first + now.first));
             float3 force = math.rotate(middle, air.force + hull) + weight + body.aidForce;
-            float3 moment = math.rotate(middle, air.moment + body.aidMoment) + math.cross(math.rotate(middle, arm), weight);
+            float3 moment = math.rotate(middle, air.moment + body.aidMoment) + math.cross(first, body.weight);
 
             // The forces were taken where the body was predicted to be; half of what its end differs from that is damped.
             var damping = new Symmetric6
             {
-                uu = air.damping.uu * (0.5f * h) + Diagonal(h * speed * body.drag),
+                uu = air.damping.uu * (0.5f * h) + float3x3.Scale(h * speed * body.drag),
                 uw = air.damping.uw * (0.5f * h),
                 ww = air.damping.ww * (0.5f * h),
             };
             float3 faster = h * math.rotate(middle, body.acceleration), spun = body.spin + h * body.spinRate;
             Symmetric6 system = damping;
-            system.uu += Diagonal(body.mass);
+            system.uu += float3x3.Scale(body.mass);
             system.uw += Turning(now.first);
             system.ww += now.inertia;
-            float3 pushed = relative + h * force, change = faster, spin = spun;
+            float3 pushed = relative + h * force, change = faster, spin = spun, kept = default;
             for (int round = 0; round < k_Rounds; round++)
             {
                 quaternion after = math.normalize(math.mul(before, BodyMotion.Turn(0.5f * h * (body.spin + spin))));
@@ -53,14 +52,22 @@ namespace Alate
                     math.rotate(there, turned) - now.angular - math.cross(now.first, math.rotate(there, body.velocity)) + keptMoment,
                     out float3 u, out float3 w);
                 if (!math.all(math.isfinite(u)) || !math.all(math.isfinite(w)))
+                {
+                    // A wing broke: what is known of it does not count.
+                    body.knowsMasses = 0;
                     return;
+                }
+
                 change = math.rotate(after, u);
                 spin = w;
+                kept = math.rotate(after, now.Relative(w)) + body.mass * change;
             }
 
-            body.force += force;
+            body.force += (kept - relative) / h - weight;
             body.moment += air.moment;
-            Advance(ref body, change, spin, h);
+            body.acceleration = math.rotate(math.conjugate(middle), change) / h;
+            body.spinRate = (spin - body.spin) / h;
+            BodyMotion.Advance(ref body, change, spin - body.spin, h);
             body.masses = now;
             body.knowsMasses = 1;
         }
@@ -73,46 +80,26 @@ namespace Alate
         {
             if (body.knowsMasses == 0)
                 body.masses = now;
-            quaternion heading = Rotations.AboutY(body.reference.heading);
-            Motion(body, point, heading, phase - turned, out quaternion before, out float3 velocityBefore, out float3 spinBefore);
-            Motion(body, point, heading, phase, out quaternion after, out float3 velocityAfter, out float3 spinAfter);
+            float3 mean = body.reference.velocity;
+            BodyMotion.OnBob(
+                body, point, BodyBob.At(point, phase - turned), mean, out quaternion before, out float3 velocityBefore,
+                out float3 spinBefore);
+            BodyMotion.OnBob(
+                body, point, BodyBob.At(point, phase), mean, out quaternion after, out float3 velocityAfter, out float3 spinAfter);
             float3 relative = math.rotate(before, body.masses.Relative(spinBefore)),
                 relativeAfter = math.rotate(after, now.Relative(spinAfter));
             float3 angular = math.rotate(before, body.masses.Turning(math.rotate(math.conjugate(before), velocityBefore), spinBefore)),
                 angularAfter = math.rotate(after, now.Turning(math.rotate(math.conjugate(after), velocityAfter), spinAfter));
             // Of mass times velocity nothing is left: the body beside which it is compared has as much.
             float3 carried = math.cross(body.middleVelocity, 0.5f * (relative + relativeAfter));
-            float3 arm = math.rotate(body.middleRotation, 0.5f * (body.masses.first + now.first));
-            float3 moment = math.cross(arm, body.mass * body.weight) - (angularAfter - angular) / h - carried;
+            float3 first = math.rotate(body.middleRotation, 0.5f * (body.masses.first + now.first));
+            float3 moment = math.cross(first, body.weight) - (angularAfter - angular) / h - carried;
             body.force += (relative - relativeAfter) / h;
             body.moment += math.rotate(math.conjugate(body.middleRotation), moment)
                 + math.mul(body.inertia, spinAfter - spinBefore) / h;
             body.masses = now;
             body.knowsMasses = 1;
         }
-
-        private static unsafe void Motion(
-            in FlyingBody body, float* point, quaternion heading, float phase, out quaternion rotation, out float3 velocity,
-            out float3 spin)
-        {
-            var bob = BodyBob.At(point, phase);
-            rotation = math.normalize(math.mul(heading, Rotations.AboutX(bob.turn - point[TrimPoint.Pitch])));
-            velocity = body.reference.velocity + math.rotate(heading, bob.velocity);
-            spin = new float3(bob.rate, 0f, 0f);
-        }
-
-        private static void Advance(ref FlyingBody body, float3 change, float3 spin, float h)
-        {
-            body.acceleration = math.rotate(math.conjugate(body.middleRotation), change) / h;
-            body.spinRate = (spin - body.spin) / h;
-            body.Move(h * (body.velocity + 0.5f * change));
-            body.rotation = math.normalize(math.mul(body.rotation, BodyMotion.Turn(0.5f * h * (body.spin + spin))));
-            body.velocity += change;
-            body.spin = spin;
-        }
-
-        private static float3x3 Diagonal(float3 values) =>
-            new float3x3(new float3(values.x, 0f, 0f), new float3(0f, values.y, 0f), new float3(0f, 0f, values.z));
 
         // Matrix of w × first for every w.
         private static float3x3 Turning(float3 first) => new float3x3(

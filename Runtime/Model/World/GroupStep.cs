@@ -130,11 +130,7 @@ namespace Alate
                 body.table.Read(body.reference.airSpeed, body.reference.climb, point);
                 if (!due)
                     body.latched = 0;
-                float middle = phase + 0.5f * h * beat->rate[lane];
-                if (body.reacts != 0)
-                    BodyMotion.PlaceOnBob(ref body, point, middle, beat->rate[lane], body.reference.velocity);
-                else
-                    BodyMotion.Place(ref body, point, BodyBob.At(point, middle), body.reference.velocity);
+                BodyMotion.Place(ref body, point, BodyBob.At(point, phase + 0.5f * h * beat->rate[lane]), body.reference.velocity);
             }
             else if (body.mode == BodyMode.Free && body.follows > 1)
             {

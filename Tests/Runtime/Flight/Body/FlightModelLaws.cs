@@ -257,6 +257,17 @@ namespace Alate.Tests.Flight
         }
 
         [Test]
+        public void ABody_FeelsItsWings_WhereAllOfThemSaySo([Values(0, 1, 2)] int count)
+        {
+            FlightWing[] wings = Wings();
+            for (int k = 0; k < count; k++)
+                Change((ref WingParameters p) => p.options.bodyReaction = true)(wings[k]);
+            using var model = new FlightModel(wings, new[] { s_Ball }, k_Mass, k_Density);
+
+            Assert.That(model.CreateBody().reacts, Is.EqualTo(count == 2 ? 1 : 0));
+        }
+
+        [Test]
         public void WhatFloats_IsMeasuredByItsDrag_AndSpeedsUpByAQuarterOfIt()
         {
             using FlightModel flies = Model(s_Ball), floats = new FlightModel(Wings(), new[] { s_Ball }, k_Mass, 1000f, 0f);

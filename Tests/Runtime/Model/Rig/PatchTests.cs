@@ -66,6 +66,19 @@ namespace Alate.Tests
             Assert.That(next, Is.EqualTo(rig.PatchCount));
         }
 
+        // Of z √(1 − 0.99 x²) ahead and behind, by which the ellipse is narrowed.
+        [Test]
+        public unsafe void Patches_KnowAQuarterOfTheirChord()
+        {
+            WingRig rig = Bake(TestWings.Lattice(), TestWings.Ellipse(48, 12), 64);
+            for (int patch = 0; patch < rig.PatchCount; patch++)
+            {
+                float x = rig.View.patchSpan[patch] / TestWings.Length;
+                double wanted = 0.25 * TestWings.Chord * System.Math.Sqrt(1.0 - 0.99 * x * x);
+                Assert.That(rig.View.patchQuarterChords[patch], Is.EqualTo(wanted).Within(2).Percent, $"at {x}");
+            }
+        }
+
         [TestCase(0)]
         [TestCase(1)]
         [TestCase(64)]
