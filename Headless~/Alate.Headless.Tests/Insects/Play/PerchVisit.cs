@@ -115,7 +115,9 @@ namespace Alate.Tests.Play
             }
             else if (Flight.State == FlightState.Perched)
             {
-                LastSpeed = (Off - m_Before).magnitude / (InsectDefinition.UnitsPerMetre * step);
+                // A position is that of a fixed step, and the same in all frames of one; what is drawn moves in each frame.
+                float since = m_Mark != null ? step : math.max(step, Time.fixedDeltaTime);
+                LastSpeed = (Off - m_Before).magnitude / (InsectDefinition.UnitsPerMetre * since);
                 Assert.That(LastSpeed, Is.LessThan(0.3f), $"spot {Seed}: m/s");
                 Enter(Stage.Sitting);
             }
