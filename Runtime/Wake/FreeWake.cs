@@ -133,6 +133,7 @@ namespace Alate.Wake
             {
                 wing.Lattice.Shift();
                 wing.Lattice.Place(Time, m_Settings.Stream, m_Settings.Step);
+                wing.Patches?.Place(Time);
                 wing.Sheet.Shed(wing.Lattice);
                 wing.Sheet.Write(m_Field);
             }

@@ -9,7 +9,7 @@ internal static class WakeReport
     /// <summary>
     /// Substeps of a flight that is not told any: at the default ones lift is up to 15 % low, which would be taken for the wake's.
     /// </summary>
-    private const int k_Substeps = 96;
+    private const int k_Substeps = 192;
 
     /// <exception cref="UserException">Anything the user can mend; nothing has been written then.</exception>
     public static void Run(FlightPlan plan, WakePlan wake, TextWriter output)

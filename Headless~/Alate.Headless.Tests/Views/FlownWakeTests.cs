@@ -15,20 +15,23 @@ public sealed class FlownWakeTests
     [Test]
     public void AMotion_IsThatOfTheBeat_OnceItIsKnown_AndByDifferencesBefore()
     {
-        var wing = new FlownWing(k_Beat, 3);
-        var points = new float3[3];
-        var velocities = new float3[3];
-        var places = new float2[3];
+        // Two rows of two, and a place in their middle.
+        var wing = new FlownWing(k_Beat, 2, 2);
+        float2[] places = [new(0f, 0f), new(0f, 1f), new(1f, 0f), new(1f, 1f), new(0.5f, 0.5f)];
+        var points = new float3[5];
+        var velocities = new float3[5];
+        float3 Mean(Func<int, float3> of) => 0.25f * (of(0) + of(1) + of(2) + of(3));
         for (int moment = 0; moment < 3 * k_Beat; moment++)
         {
-            wing.Move([At(moment, 0), At(moment, 1), At(moment, 2)], 2f);
+            wing.Move([At(moment, 0), At(moment, 1), At(moment, 2), At(moment, 3)], 2f);
             Assert.That(wing.IsKnown, Is.EqualTo(moment >= 2));
             wing.Evaluate(0.0, places, points, velocities);
-            for (int k = 0; k < 3 && moment >= 2; k++)
+            for (int k = 0; k < 5 && moment >= 2; k++)
             {
                 bool isWhole = moment + 1 >= k_Beat;
-                Assert.That(math.distance(points[k], 2f * At(moment, k)), Is.LessThan(1e-4f));
-                Assert.That(math.distance(velocities[k], 2f * RateAt(moment, k)), Is.LessThan(isWhole ? 2e-3f : 1.5f), "of up to 21");
+                float3 at = k < 4 ? At(moment, k) : Mean(n => At(moment, n)), rate = k < 4 ? RateAt(moment, k) : Mean(n => RateAt(moment, n));
+                Assert.That(math.distance(points[k], 2f * at), Is.LessThan(1e-4f));
+                Assert.That(math.distance(velocities[k], 2f * rate), Is.LessThan(isWhole ? 2e-3f : 1.5f), "of up to 21");
             }
         }
     }
@@ -37,14 +40,15 @@ public sealed class FlownWakeTests
     public void AMotionInTriangles_BetweenSubsteps_IsSmooth()
     {
         // Straight between 16 substeps of a beat, as drawn wings are: the velocity of the sine, less what chords leave of it.
-        var wing = new FlownWing(k_Beat, 1);
+        var wing = new FlownWing(k_Beat, 2, 2);
         var velocity = new float3[1];
         float worst = 0f;
         for (int moment = 0; moment < 2 * k_Beat; moment++)
         {
             double turn = (double)moment / k_Beat, substep = Math.Floor(16.0 * turn) / 16.0, share = 16.0 * (turn - substep);
             double between = (1.0 - share) * Math.Sin(2.0 * Math.PI * substep) + share * Math.Sin(2.0 * Math.PI * (substep + 1.0 / 16.0));
-            wing.Move([new float3((float)between, 0f, 0f)], 1f);
+            float3 place = new((float)between, 0f, 0f);
+            wing.Move([place, place, place, place], 1f);
             wing.Evaluate(0.0, new float2[1], new float3[1], velocity);
             if (moment >= k_Beat)
                 worst = math.max(worst, (float)Math.Abs(velocity[0].x - 2.0 * Math.PI * Math.Cos(2.0 * Math.PI * turn)));

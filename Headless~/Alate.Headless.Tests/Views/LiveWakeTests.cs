@@ -118,7 +118,7 @@ public sealed class LiveWakeTests
         var rest = new float3[grid.Count];
         grid.Take(wings.Vertices(0), wings.FrameOf(0), rest);
         var pace = new WakePace(0.1f, plan.AirInBodyAxes);
-        WakeStepper Stepper() => new WakeStepper([right[0]], grid.Count, LiveWake.StepsPerBeat, LiveWake.Panels, true);
+        WakeStepper Stepper() => new WakeStepper([right[0]], LiveWake.StepsPerBeat, LiveWake.Panels, true);
         void Fly(WakeStepper stepper, int steps, float height)
         {
             for (int k = 0; k < steps; k++)

@@ -97,8 +97,9 @@ namespace Alate.Tests.Wake
             Assert.That(lifts[1], Is.EqualTo(lifts[0]).Within(5).Percent);
         }
 
+        // In 1546 the wing folds up beside its mirror image, which gives its circulation no bound of its own.
         [Test]
-        public void RandomMotions_StayFinite([Range(1, 8)] int seed) => AssertFinite(seed);
+        public void RandomMotions_StayFinite([Values(1, 2, 3, 4, 5, 6, 7, 8, 1546)] int seed) => AssertFinite(seed);
 
         [Test]
         [Explicit]

@@ -12,7 +12,8 @@ namespace Alate.Wake
         /// <summary>Most harmonics that are kept.</summary>
         public const int MostHarmonics = 6;
 
-        private readonly int m_Chains, m_Joints, m_Harmonics;
+        private readonly BilinearSurface m_Surface;
+        private readonly int m_Harmonics;
 
         private readonly double m_Start;
 
@@ -23,12 +24,11 @@ namespace Alate.Wake
         private FourierMotion(int chains, int joints, int harmonics, double start)
         {
             m_Start = start;
-            m_Chains = chains;
-            m_Joints = joints;
+            m_Surface = new BilinearSurface(chains, joints);
             m_Harmonics = harmonics;
-            m_Series = new float3[chains * joints * (2 * harmonics + 1)];
-            m_Points = new float3[chains * joints];
-            m_Velocities = new float3[chains * joints];
+            m_Series = new float3[m_Surface.Count * (2 * harmonics + 1)];
+            m_Points = new float3[m_Surface.Count];
+            m_Velocities = new float3[m_Surface.Count];
         }
 
         /// <summary>Motion through samples of a beat, by as many harmonics as they carry, at most six.</summary>
@@ -70,17 +70,10 @@ namespace Alate.Wake
             MoveJoints(beats - m_Start - Math.Floor(beats - m_Start));
             for (int k = 0; k < places.Length; k++)
             {
-                float2 at = places[k] * new float2(m_Chains - 1, m_Joints - 1);
-                int chain = math.clamp((int)at.x, 0, m_Chains - 2), joint = math.clamp((int)at.y, 0, m_Joints - 2);
-                float u = at.x - chain, v = at.y - joint;
-                int corner = chain * m_Joints + joint;
-                points[k] = Blend(m_Points, corner, u, v);
-                velocities[k] = Blend(m_Velocities, corner, u, v);
+                points[k] = m_Surface.At(m_Points, places[k]);
+                velocities[k] = m_Surface.At(m_Velocities, places[k]);
             }
         }
-
-        private float3 Blend(float3[] joints, int corner, float u, float v) => math.lerp(
-            math.lerp(joints[corner], joints[corner + 1], v), math.lerp(joints[corner + m_Joints], joints[corner + m_Joints + 1], v), u);
 
         private void Fit(float3[][] samples)
         {

@@ -13,11 +13,8 @@ namespace Alate.Wake
         /// <summary>Least cosine of the sweep by which the turned suction is divided.</summary>
         private const float k_LeastCosine = 0.5f;
 
-        /// <summary>
-        /// Largest circulation over that of a flat plate across the fastest air that the wing meets, π c V: wings that touch their mirror
-        /// images or cross their own wakes have no other bound.
-        /// </summary>
-        private const float k_MostCirculation = 10f;
+        /// <summary>Share of a panel's chord at which its force acts.</summary>
+        private const float k_ForceShare = 0.25f;
 
         private readonly WakeSettings m_Settings;
         private readonly WingState[] m_Wings;
@@ -104,35 +101,18 @@ namespace Alate.Wake
             bool solved = m_System.Solve(m_Circulation);
             for (int wing = 0; wing < m_Wings.Length; wing++)
             {
-                solved &= Bound(wing);
+                solved &= m_Wings[wing].Bound(m_Circulation.AsSpan(m_First[wing], m_Wings[wing].Lattice.RingCount), m_Settings.Stream);
                 Array.Copy(m_Circulation, m_First[wing], m_Wings[wing].Lattice.Circulation, 0, m_Wings[wing].Lattice.RingCount);
             }
 
             return solved;
         }
 
-        // Returns false where the bound acts.
-        private bool Bound(int wing)
-        {
-            WingLattice lattice = m_Wings[wing].Lattice;
-            float fastest = 0f;
-            foreach (float3 motion in lattice.Motions)
-                fastest = math.max(fastest, math.length(m_Settings.Stream - motion));
-            float most = k_MostCirculation * math.PI * lattice.MeanChord * fastest;
-            bool holds = true;
-            for (int ring = m_First[wing]; ring < m_First[wing + 1]; ring++)
-            {
-                holds &= math.abs(m_Circulation[ring]) <= most;
-                m_Circulation[ring] = math.isnan(m_Circulation[ring]) ? 0f : math.clamp(m_Circulation[ring], -most, most);
-            }
-
-            return holds;
-        }
-
         private void Load(int wing, int steps)
         {
             WingState state = m_Wings[wing];
             WingLattice lattice = state.Lattice;
+            state.BeginLoads();
             for (int i = 0; i < lattice.ChordPanels; i++)
             {
                 for (int j = 0; j < lattice.SpanPanels; j++)
@@ -140,13 +120,23 @@ namespace Alate.Wake
                     int ring = lattice.Ring(i, j);
                     state.Induced[ring] += OfOthers(m_First[wing] + ring);
                     float3 stream = m_Settings.Stream + state.Induced[ring] - lattice.Motions[ring];
-                    state.Forces[ring] = Pressure(lattice, i, j, stream, Growth(lattice, ring, steps)) * lattice.Normals[ring];
+                    float3 force = Pressure(lattice, i, j, stream, Growth(lattice, ring, steps)) * lattice.Normals[ring];
                     if (i == 0)
-                        state.Forces[ring] += Suction(lattice, j, stream);
+                        force += Suction(lattice, j, stream);
+                    float3 motion = lattice.AtPanel(lattice.CornerVelocities, i, j, k_ForceShare);
+                    float area = math.length(math.cross(lattice.Chordwise(i, j), lattice.Spanwise(i, j)));
+                    state.AddLoad(j, new WingLoad
+                    {
+                        place = lattice.AtPanel(lattice.Corners, i, j, k_ForceShare),
+                        motion = motion,
+                        force = force,
+                        inflow = state.Induced[ring],
+                        weight = area * math.length(m_Settings.Stream - motion),
+                    });
                 }
             }
 
-            state.SumUp(m_Settings.Stream, 0.25f);
+            state.EndLoads();
         }
 
         private float3 OfOthers(int panel)

@@ -1,3 +1,4 @@
+using System;
 using Unity.Mathematics;
 
 namespace Alate.Wake
@@ -22,7 +23,6 @@ namespace Alate.Wake
         // [strip · count + source] Velocity at a strip by a ring of unit circulation.
         private readonly float3[] m_Velocities;
         private readonly float[] m_Circulation, m_Next, m_Wanted, m_Change;
-        private readonly float3[] m_Inner;
         private readonly LinearSystem m_System;
         private float m_Tolerance;
 
@@ -38,7 +38,6 @@ namespace Alate.Wake
             m_Next = new float[count];
             m_Wanted = new float[count];
             m_Change = new float[count];
-            m_Inner = new float3[settings.SpanPanels];
             m_System = new LinearSystem(count);
             m_Polars = new StripPolar[wings.Length];
             for (int k = 0; k < wings.Length; k++)
@@ -52,6 +51,12 @@ namespace Alate.Wake
             MeetWake(wake);
             Influence();
             bool settled = Iterate();
+            for (int wing = 0; wing < m_Wings.Length; wing++)
+            {
+                settled &= m_Wings[wing].Bound(
+                    m_Circulation.AsSpan(m_First[wing], m_Wings[wing].Lattice.SpanPanels), m_Settings.Stream);
+            }
+
             for (int wing = 0; wing < m_Wings.Length; wing++)
                 Load(wing);
             return settled;
@@ -120,7 +125,7 @@ namespace Alate.Wake
                         break;
                 }
 
-                System.Array.Copy(m_Next, m_Circulation, m_Next.Length);
+                Array.Copy(m_Next, m_Circulation, m_Next.Length);
             }
 
             for (int pass = 0; pass < k_MostSmallSteps && lack > m_Tolerance; pass++)
@@ -142,8 +147,7 @@ namespace Alate.Wake
                 for (int j = 0; j < m_Wings[wing].Lattice.SpanPanels; j++)
                 {
                     int strip = m_First[wing] + j;
-                    float3 stream = Stream(wing, j, circulation, out _);
-                    m_Wanted[strip] = Wanted(Meet(wing, j, stream));
+                    m_Wanted[strip] = Wanted(Meet(wing, j, Air(wing, j, circulation)));
                     lack = math.max(lack, math.abs(m_Wanted[strip] - circulation[strip]));
                     largest = math.max(largest, math.abs(m_Wanted[strip]));
                 }
@@ -162,14 +166,13 @@ namespace Alate.Wake
                 for (int j = 0; j < m_Wings[wing].Lattice.SpanPanels; j++)
                 {
                     int strip = m_First[wing] + j;
-                    float3 stream = Stream(wing, j, m_Circulation, out _);
-                    StripAir air = Meet(wing, j, stream);
-                    float step = 1e-3f * math.length(air.stream) + 1e-9f, now = Wanted(air);
+                    float3 air = Air(wing, j, m_Circulation), normal = m_Wings[wing].Lattice.Normals[j];
+                    float3 chord = math.normalizesafe(math.cross(m_Wings[wing].Lattice.Spanwise(0, j), normal));
+                    StripAir met = Meet(wing, j, air);
+                    float step = 1e-3f * math.length(met.stream) + 1e-9f, now = Wanted(met);
                     float3 gradient =
-                        (Wanted(Meet(wing, j, stream + step * air.normal)) - Wanted(Meet(wing, j, stream - step * air.normal)))
-                            / (2f * step) * air.normal
-                        + (Wanted(Meet(wing, j, stream + step * air.chord)) - Wanted(Meet(wing, j, stream - step * air.chord)))
-                            / (2f * step) * air.chord;
+                        (Wanted(Meet(wing, j, air + step * normal)) - Wanted(Meet(wing, j, air - step * normal))) / (2f * step) * normal
+                        + (Wanted(Meet(wing, j, air + step * chord)) - Wanted(Meet(wing, j, air - step * chord))) / (2f * step) * chord;
                     for (int source = 0; source < count; source++)
                         m_System.Set(strip, source, (source == strip ? 1f : 0f) - math.dot(gradient, m_Velocities[strip * count + source]));
                     m_System.SetRight(strip, now - m_Circulation[strip]);
@@ -177,82 +180,109 @@ namespace Alate.Wake
             }
         }
 
+        // ½ c C_L V: a strip that turns about its middle has lift in the mean of the squares of the speeds, which no circulation carries.
         private static float Wanted(in StripAir air)
         {
             float3 turn = math.cross(air.stream, air.leg);
-            return math.dot(air.lift, turn) / math.max(math.lengthsq(turn), 1e-12f);
+            float share = math.lengthsq(air.stream) / math.max(air.square, 1e-12f);
+            return share * math.dot(air.lift, turn) / math.max(math.lengthsq(turn), 1e-12f);
         }
 
         private void Load(int wing)
         {
             WingState state = m_Wings[wing];
+            state.BeginLoads();
             for (int j = 0; j < state.Lattice.SpanPanels; j++)
             {
-                StripAir air = Meet(wing, j, Stream(wing, j, m_Circulation, out m_Inner[j]));
-                state.Lattice.Circulation[j] = m_Circulation[m_First[wing] + j];
-                state.Forces[j] = air.lift + air.drag;
-                m_Inner[j] = Outer(air, m_Inner[j]);
+                int strip = m_First[wing] + j;
+                state.Lattice.Circulation[j] = m_Circulation[strip];
+                float3 air = Air(wing, j, m_Circulation);
+                for (int k = j * WingPatches.PerStrip; k < (j + 1) * WingPatches.PerStrip; k++)
+                {
+                    WingPatch patch = state.Patches.All[k];
+                    PatchAir met = Meet(wing, patch, air);
+                    state.AddLoad(j, new WingLoad
+                    {
+                        place = patch.place,
+                        motion = patch.motion,
+                        force = met.lift + met.drag,
+                        inflow = air - m_Settings.Stream + met.outer,
+                        weight = patch.area * math.length(m_Settings.Stream - patch.motion),
+                    });
+                }
             }
 
-            for (int j = 0; j < state.Lattice.SpanPanels; j++)
-                state.Induced[j] = m_Inner[j];
-            state.SumUp(m_Settings.Stream, 0.5f);
+            state.EndLoads();
         }
 
-        // Velocity of the air that vortices have set moving, as the coefficients count it: what they hold of it is taken out.
-        private static float3 Outer(in StripAir air, float3 induced)
-        {
-            float angle = air.outer - air.angle;
-            float side = math.sign(math.dot(air.stream, air.normal)) * math.sign(math.dot(air.stream, air.chord));
-            float3 across = math.cross(math.cross(air.chord, air.normal), air.stream);
-            float3 turned = math.cos(angle) * air.stream + math.sin(angle) * side * across;
-            return turned - air.stream + induced;
-        }
-
-        // The air at a strip, with circulations of this pass.
-        private float3 Stream(int wing, int j, float[] circulation, out float3 induced)
+        // The air at a strip with circulations of this pass, against the body.
+        private float3 Air(int wing, int j, float[] circulation)
         {
             int count = circulation.Length, strip = m_First[wing] + j;
-            induced = m_Wings[wing].Induced[j];
+            float3 air = m_Settings.Stream + m_Wings[wing].Induced[j];
             for (int source = 0; source < count; source++)
-                induced += circulation[source] * m_Velocities[strip * count + source];
-            return m_Settings.Stream + induced - m_Wings[wing].Lattice.AtPanel(m_Wings[wing].Lattice.CornerVelocities, 0, j, 0.5f);
-        }
-
-        // What a strip makes of the air that it meets.
-        private StripAir Meet(int wing, int j, float3 stream)
-        {
-            WingLattice lattice = m_Wings[wing].Lattice;
-            float3 spanwise = lattice.Spanwise(0, j), chordwise = lattice.Chordwise(0, j);
-            float3 span = math.normalizesafe(spanwise), chord = math.normalizesafe(chordwise - math.dot(chordwise, span) * span);
-            stream -= math.dot(stream, span) * span;
-            float3 normal = lattice.Normals[j];
-            float across = math.dot(stream, normal), square = math.lengthsq(stream);
-            var air = new StripAir
-            {
-                stream = stream,
-                normal = normal,
-                chord = chord,
-                leg = lattice.Rings[lattice.Corner(0, j + 1)] - lattice.Rings[lattice.Corner(0, j)],
-                angle = math.atan2(math.abs(across), math.abs(math.dot(stream, chord))),
-            };
-            if (square < 1e-12f)
-                return air;
-            m_Polars[wing].Evaluate(air.angle, out float lift, out float drag, out air.outer);
-            float half = 0.5f * math.length(math.cross(chordwise, spanwise));
-            float3 along = stream * math.rsqrt(square), up = math.normalizesafe(normal - math.dot(normal, along) * along);
-            air.lift = half * square * lift * math.sign(across) * up;
-            air.drag = half * square * drag * along;
+                air += circulation[source] * m_Velocities[strip * count + source];
             return air;
         }
 
-        // Air that a strip meets, without its part along the span.
+        // What the patches of a strip make of the air.
+        private StripAir Meet(int wing, int j, float3 air)
+        {
+            WingState state = m_Wings[wing];
+            var sum = new StripAir
+            {
+                leg = state.Lattice.Rings[state.Lattice.Corner(0, j + 1)] - state.Lattice.Rings[state.Lattice.Corner(0, j)],
+            };
+            float area = 0f;
+            for (int k = j * WingPatches.PerStrip; k < (j + 1) * WingPatches.PerStrip; k++)
+            {
+                WingPatch patch = state.Patches.All[k];
+                PatchAir met = Meet(wing, patch, air);
+                sum.stream += patch.area * met.stream;
+                sum.square += patch.area * math.lengthsq(met.stream);
+                sum.lift += met.lift;
+                area += patch.area;
+            }
+
+            sum.stream /= math.max(area, 1e-12f);
+            sum.square /= math.max(area, 1e-12f);
+            return sum;
+        }
+
+        private PatchAir Meet(int wing, in WingPatch patch, float3 air)
+        {
+            var met = new PatchAir { stream = air - patch.motion };
+            met.stream -= math.dot(met.stream, patch.span) * patch.span;
+            float across = math.dot(met.stream, patch.normal), square = math.lengthsq(met.stream);
+            if (square < 1e-12f)
+                return met;
+            float speed = math.sqrt(square), angle = math.asin(math.min(math.abs(across) / speed, 1f));
+            m_Polars[wing].Evaluate(angle, out float lift, out float drag, out float outer);
+            float3 along = met.stream / speed;
+            float3 up = math.sign(across) * math.normalizesafe(patch.normal - math.dot(patch.normal, along) * along);
+            met.lift = 0.5f * patch.area * square * lift * up;
+            met.drag = 0.5f * patch.area * square * drag * along;
+            float turn = outer - angle;
+            met.outer = (math.cos(turn) - 1f) * met.stream + math.sin(turn) * speed * up;
+            return met;
+        }
+
+        // Air that the patches of a strip meet, in the mean, and the sum of their lift.
         private struct StripAir
         {
-            public float3 stream, normal, chord, leg, lift, drag;
+            public float3 stream, leg, lift;
 
-            /// <summary>Angle between chord and stream, and that without the downwash which the coefficients hold, radians.</summary>
-            public float angle, outer;
+            /// <summary>Mean of the squares of the speeds.</summary>
+            public float square;
+        }
+
+        // Air that a patch meets, without its part along the span.
+        private struct PatchAir
+        {
+            public float3 stream, lift, drag;
+
+            /// <summary>What the velocity is short of that without the downwash which the coefficients hold.</summary>
+            public float3 outer;
         }
     }
 }

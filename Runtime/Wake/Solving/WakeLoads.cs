@@ -26,8 +26,9 @@ namespace Alate.Wake
         public float Power { get; }
 
         /// <summary>
-        /// Velocity of the air that vortices have set moving, L a beat: a mean over the wing, weighted as its forces are. What the lift
-        /// coefficients of strips hold of it is left out: this flow, added to the wind of a model without a wake, gives these loads.
+        /// Velocity of the air that vortices have set moving, L a beat: a mean over the wing, weighted by the speed at which it meets the
+        /// air. What the lift coefficients of strips hold of it is left out: this flow, added to the wind of a model without a wake, gives
+        /// these loads.
         /// </summary>
         public float3 Inflow { get; }
     }

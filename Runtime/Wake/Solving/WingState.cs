@@ -1,3 +1,4 @@
+using System;
 using Unity.Mathematics;
 
 namespace Alate.Wake
@@ -5,7 +6,18 @@ namespace Alate.Wake
     /// <summary>A wing with its wake, and its loads at a moment. Forces are over ρ, in reference lengths⁴ a squared beat.</summary>
     internal sealed class WingState
     {
+        /// <summary>
+        /// Largest circulation over that of a flat plate across the fastest air that the wing meets, π c V: wings that touch their mirror
+        /// images or cross their own wakes have no other bound.
+        /// </summary>
+        private const float k_MostCirculation = 10f;
+
         private readonly WakeSection[] m_Sections;
+
+        // [strip] Sums of the loads so far; their inflow is times the weight.
+        private readonly WingLoad[] m_Sums;
+        private float3 m_Moment;
+        private float m_Power;
 
         public WingState(WakeWing wing, WakeSettings settings)
         {
@@ -13,9 +25,10 @@ namespace Alate.Wake
             Lattice = new WingLattice(wing, settings);
             Cores = new WakeCores(settings, Lattice.MeanChord);
             Sheet = new VortexSheet(settings.SpanPanels, settings.Rows, Cores);
-            Forces = new float3[Lattice.RingCount];
             Induced = new float3[Lattice.RingCount];
             m_Sections = new WakeSection[settings.SpanPanels];
+            m_Sums = new WingLoad[settings.SpanPanels];
+            Patches = settings.Method == WakeMethod.Strips ? new WingPatches(wing.Motion, settings.SpanPanels) : null;
         }
 
         public WakeWing Wing { get; }
@@ -23,8 +36,8 @@ namespace Alate.Wake
         public WakeCores Cores { get; }
         public VortexSheet Sheet { get; }
 
-        /// <summary>[ring] Force on each panel.</summary>
-        public float3[] Forces { get; }
+        /// <summary>What meets the air of strips; null for panels.</summary>
+        public WingPatches Patches { get; }
 
         /// <summary>
         /// [ring] Velocity of the air that all vortices but the wing's own rings have set moving, where the panel meets it.
@@ -62,39 +75,59 @@ namespace Alate.Wake
             }
         }
 
-        /// <summary>Sums up the loads of the panels.</summary>
+        /// <summary>Clamps the circulation of the wing's rings; what is no number becomes 0.</summary>
+        /// <param name="circulation">[ring]</param>
         /// <param name="stream">Velocity of the air.</param>
-        /// <param name="share">Share of each panel's chord at which its force acts.</param>
-        public void SumUp(float3 stream, float share)
+        /// <returns>False where the bound acts.</returns>
+        public bool Bound(Span<float> circulation, float3 stream)
         {
-            float3 force = default, moment = default, inflow = default;
-            float power = 0f, weights = 0f;
-            for (int j = 0; j < Lattice.SpanPanels; j++)
+            float fastest = 0f;
+            foreach (float3 motion in Lattice.Motions)
+                fastest = math.max(fastest, math.length(stream - motion));
+            float most = k_MostCirculation * math.PI * Lattice.MeanChord * fastest;
+            bool holds = true;
+            foreach (ref float ring in circulation)
             {
-                float3 onStrip = default, atStrip = default;
-                float stripWeights = 0f;
-                for (int i = 0; i < Lattice.ChordPanels; i++)
-                {
-                    int ring = Lattice.Ring(i, j);
-                    float3 at = Lattice.AtPanel(Lattice.Corners, i, j, share);
-                    float3 moved = Lattice.AtPanel(Lattice.CornerVelocities, i, j, share);
-                    onStrip += Forces[ring];
-                    moment += math.cross(at, Forces[ring]);
-                    power -= math.dot(Forces[ring], moved);
-                    float weight = math.lengthsq(stream - moved) * math.length(math.cross(Lattice.Chordwise(i, j), Lattice.Spanwise(i, j)));
-                    atStrip += weight * Induced[ring];
-                    stripWeights += weight;
-                }
-
-                force += onStrip;
-                inflow += atStrip;
-                weights += stripWeights;
-                m_Sections[j] = new WakeSection(
-                    Lattice.Middle(j), Lattice.Circulation[Lattice.Ring(Lattice.ChordPanels - 1, j)], onStrip,
-                    stripWeights > 0f ? atStrip / stripWeights : default);
+                holds &= math.abs(ring) <= most;
+                ring = math.isnan(ring) ? 0f : math.clamp(ring, -most, most);
             }
 
-            Loads = new WakeLoads(force, moment, power, weights > 0f ? inflow / weights : default);
+            return holds;
+        }
+
+        /// <summary>Begins the sums of the loads of a moment.</summary>
+        public void BeginLoads()
+        {
+            m_Power = 0f;
+            m_Moment = default;
+            Array.Clear(m_Sums, 0, m_Sums.Length);
+        }
+
+        /// <summary>Adds a load to those of a strip.</summary>
+        public void AddLoad(int strip, in WingLoad load)
+        {
+            m_Moment += math.cross(load.place, load.force);
+            m_Power -= math.dot(load.force, load.motion);
+            m_Sums[strip].force += load.force;
+            m_Sums[strip].inflow += load.weight * load.inflow;
+            m_Sums[strip].weight += load.weight;
+        }
+
+        /// <summary>Ends the sums.</summary>
+        public void EndLoads()
+        {
+            WingLoad whole = default;
+            for (int j = 0; j < m_Sums.Length; j++)
+            {
+                WingLoad sum = m_Sums[j];
+                whole.force += sum.force;
+                whole.inflow += sum.inflow;
+                whole.weight += sum.weight;
+                m_Sections[j] = new WakeSection(
+                    Lattice.Middle(j), Lattice.Circulation[Lattice.Ring(Lattice.ChordPanels - 1, j)], sum.force, sum.MeanInflow);
+            }
+
+            Loads = new WakeLoads(whole.force, m_Moment, m_Power, whole.MeanInflow);
         }
 
         /// <summary>Loads of a strip, of those from the root to the tip.</summary>

@@ -12,15 +12,19 @@ internal sealed class FlownWing : IWingMotion
     /// <summary>Moments that a velocity by differences needs.</summary>
     public const int FirstMoments = 3;
 
+    private readonly BilinearSurface m_Surface;
     private readonly float3[][] m_History;
     private readonly float[] m_Shares, m_Rates;
     private readonly float3[] m_Points, m_Velocities;
     private long m_Count;
 
     /// <param name="beat">Moments of a beat.</param>
-    /// <param name="places">Places of a moment.</param>
-    public FlownWing(int beat, int places)
+    /// <param name="rows">Rows of places from the leading to the trailing edge, 2 or more.</param>
+    /// <param name="columns">Places of a row, 2 or more.</param>
+    public FlownWing(int beat, int rows, int columns)
     {
+        m_Surface = new BilinearSurface(rows, columns);
+        int places = m_Surface.Count;
         m_History = [.. Enumerable.Range(0, beat).Select(_ => new float3[places])];
         (m_Points, m_Velocities) = (new float3[places], new float3[places]);
         (m_Shares, m_Rates) = (new float[beat], new float[beat]);
@@ -43,7 +47,7 @@ internal sealed class FlownWing : IWingMotion
     public void Restart() => m_Count = 0;
 
     /// <summary>Takes the next moment.</summary>
-    /// <param name="places">Axes of the body.</param>
+    /// <param name="places">[row · columns + column] Axes of the body.</param>
     /// <param name="scale">Reference lengths of their unit.</param>
     public void Move(ReadOnlySpan<float3> places, float scale)
     {
@@ -57,11 +61,14 @@ internal sealed class FlownWing : IWingMotion
         m_Count++;
     }
 
-    /// <summary>Writes the last moment, whatever the time: the places are those of a lattice of strips.</summary>
+    /// <summary>Writes the last moment, whatever the time.</summary>
     public void Evaluate(double beats, ReadOnlySpan<float2> places, Span<float3> points, Span<float3> velocities)
     {
-        m_Points.AsSpan(0, places.Length).CopyTo(points);
-        m_Velocities.AsSpan(0, places.Length).CopyTo(velocities);
+        for (int k = 0; k < places.Length; k++)
+        {
+            points[k] = m_Surface.At(m_Points, places[k]);
+            velocities[k] = m_Surface.At(m_Velocities, places[k]);
+        }
     }
 
     // Of the moment that comes now, or some before it.

@@ -61,7 +61,7 @@ internal sealed class LiveWake : IDisposable
         RecordedWing[] computed = [.. wings.All.Where(wing => !m_IsSymmetric || !wing.Placement.IsLeft)];
         m_IsLeft = [.. computed.Select(wing => wing.Placement.IsLeft)];
         int rows = WakeStepper.Rows(StepsPerBeat), width = Panels + 1;
-        m_Stepper = new WakeStepper(computed, m_Grids[0].Count, StepsPerBeat, Panels, m_IsSymmetric);
+        m_Stepper = new WakeStepper(computed, StepsPerBeat, Panels, m_IsSymmetric);
         m_Moments = new WakeMoments(StepsPerBeat, computed.Length * m_Grids[0].Count);
         m_Places = new float3[computed.Length * m_Grids[0].Count];
         m_Done = [.. Enumerable.Range(0, StepsPerBeat).Select(_ => new FlownSheets(computed.Length, rows, width))];

@@ -6,7 +6,8 @@ namespace Alate.Cli;
 /// <summary>Leading and trailing edge of a wing that flies, where the strips of its wake meet.</summary>
 internal sealed class WakeGrid
 {
-    private const int k_Edges = 2;
+    /// <summary>Number of rows of places: the leading and the trailing edge.</summary>
+    public const int Edges = 2;
 
     private readonly WingMount m_Mount;
     private readonly int3[] m_Corners;
@@ -22,9 +23,9 @@ internal sealed class WakeGrid
         Stations = panels + 1;
         try
         {
-            var grid = new SurfaceGrid(wing.Rest, wing.Triangles, k_Edges, Stations);
-            m_Corners = [.. Enumerable.Range(0, k_Edges * Stations).Select(grid.Corners)];
-            m_Shares = [.. Enumerable.Range(0, k_Edges * Stations).Select(grid.Shares)];
+            var grid = new SurfaceGrid(wing.Rest, wing.Triangles, Edges, Stations);
+            m_Corners = [.. Enumerable.Range(0, Edges * Stations).Select(grid.Corners)];
+            m_Shares = [.. Enumerable.Range(0, Edges * Stations).Select(grid.Shares)];
         }
         catch (ArgumentException problem)
         {

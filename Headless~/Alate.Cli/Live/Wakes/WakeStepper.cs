@@ -17,17 +17,16 @@ internal sealed class WakeStepper : IDisposable
     private bool m_Fails;
 
     /// <param name="wings">Wings that are computed.</param>
-    /// <param name="places">Places of a wing at a moment.</param>
     /// <param name="beat">Steps of a beat.</param>
     /// <param name="panels">Strips along the span.</param>
     /// <param name="isSymmetric">True where the wings are right ones, and left ones their mirror images.</param>
-    public WakeStepper(IReadOnlyList<RecordedWing> wings, int places, int beat, int panels, bool isSymmetric)
+    public WakeStepper(IReadOnlyList<RecordedWing> wings, int beat, int panels, bool isSymmetric)
     {
         (m_Beat, m_Panels, m_IsSymmetric) = (beat, panels, isSymmetric);
         Length = wings.Max(wing => wing.Placement.Length);
         m_Density = wings[0].Wing.Preset.Size.fluidDensity;
         m_Coefficients = [.. wings.Select(wing => wing.Parameters.options.coefficients)];
-        m_Motions = [.. wings.Select(_ => new FlownWing(beat, places))];
+        m_Motions = [.. wings.Select(_ => new FlownWing(beat, WakeGrid.Edges, panels + 1))];
     }
 
     /// <summary>Metres of the wake's unit of length.</summary>

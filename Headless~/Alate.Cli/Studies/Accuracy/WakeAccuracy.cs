@@ -16,12 +16,10 @@ internal sealed record WakePoint(int Steps, int Panels, double ErrorPct, double 
 /// </summary>
 internal sealed class WakeAccuracy
 {
-    private static readonly int[] s_Steps = [12, 16, 24, 36, 48], s_Panels = [4, 6, 8, 10, 12];
+    private static readonly int[] s_Steps = [12, 16, 24, 36, 48], s_Panels = [4, 6, 8, 10, 12, 16];
 
-    /// <summary>
-    /// Finest runs. Strips narrower than a sixteenth of a wing have no single circulation where the wing stalls: they are no reference.
-    /// </summary>
-    private const int k_FinestSteps = 96, k_FinestPanels = 16, k_BothSteps = 64;
+    /// <summary>Finest runs.</summary>
+    private const int k_FinestSteps = 96, k_FinestPanels = 24, k_BothSteps = 64;
 
     internal WakeAccuracy(string title) => Title = title;
 

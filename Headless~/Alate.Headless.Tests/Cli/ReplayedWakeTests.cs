@@ -1,0 +1,40 @@
+using Alate.Catalogue;
+using Alate.Cli;
+using NUnit.Framework;
+
+namespace Alate.Tests.Cli
+{
+    /// <summary>The air of a wake, replayed at the wings as mean and two harmonics, against the wake itself: lift of trimmed flights.</summary>
+    public sealed class ReplayedWakeTests
+    {
+        [TestCase("monarch", 1.3)]
+        [TestCase("firefly", 0.0)]
+        [TestCase("swallowtail", 1.3, Explicit = true, Category = "Long,Faults")]
+        [TestCase("firefly", 1.3, Explicit = true, Category = "Long,Faults")]
+        [TestCase("fishfly", 1.3, Explicit = true, Category = "Long,Faults")]
+        [TestCase("painted-lichen-moth", 1.3, Explicit = true, Category = "Long,Faults")]
+        [TestCase("dragonfly", 1.3, Explicit = true, Category = "Long,Faults")]
+        [TestCase("fishfly", 0.0, Explicit = true, Category = "Long,Faults")]
+        [TestCase("dragonfly", 0.0, Explicit = true, Category = "Long,Faults")]
+        public void TheLiftOfAWake_IsThatOfItsAirReplayed(string name, double speed)
+        {
+            FlightPlan plan = TrimmedFlight.Of(new FlightPlan
+            {
+                Species = name,
+                Variant = InsectVariant.Flight,
+                Speed = speed,
+                RecordsAir = true,
+                Substeps = 192,
+            });
+            using var rounds = new WakeRounds(plan, Insect.Of(plan), new WakePlan());
+            for (int round = 0; round < 3; round++)
+                rounds.Run(_ => { });
+
+            WakeRound last = rounds.All[^1];
+            TestContext.Out.WriteLine(System.FormattableString.Invariant(
+                $"{name} at {speed} m/s: {rounds.All[0].Replayed.y:0.000} without, {last.Wake.y:0.000} with the wake, {last.Replayed.y:0.000} replayed; {100.0 * last.Change:0.0} %"));
+            Assert.That(last.Replayed.y, Is.EqualTo(last.Wake.y).Within(0.03), "of the weight");
+            Assert.That(last.Change, Is.LessThan(0.03), "the third round is all but the last one");
+        }
+    }
+}
