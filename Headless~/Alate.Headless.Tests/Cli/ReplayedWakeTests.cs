@@ -4,7 +4,7 @@ using NUnit.Framework;
 
 namespace Alate.Tests.Cli
 {
-    /// <summary>The air of a wake, replayed at the wings as mean and two harmonics, against the wake itself: lift of trimmed flights.</summary>
+    /// <summary>Air of a wake that is replayed at the wings as mean and two harmonics, against the wake itself.</summary>
     public sealed class ReplayedWakeTests
     {
         [TestCase("monarch", 1.3)]
@@ -32,7 +32,8 @@ namespace Alate.Tests.Cli
 
             WakeRound last = rounds.All[^1];
             TestContext.Out.WriteLine(System.FormattableString.Invariant(
-                $"{name} at {speed} m/s: {rounds.All[0].Replayed.y:0.000} without, {last.Wake.y:0.000} with the wake, {last.Replayed.y:0.000} replayed; {100.0 * last.Change:0.0} %"));
+                $"{name} at {speed} m/s: {rounds.All[0].Replayed.y:0.000} without, {last.Wake.y:0.000} with the wake, ")
+                + System.FormattableString.Invariant($"{last.Replayed.y:0.000} replayed; {100.0 * last.Change:0.0} %"));
             Assert.That(last.Replayed.y, Is.EqualTo(last.Wake.y).Within(0.03), "of the weight");
             Assert.That(last.Change, Is.LessThan(0.03), "the third round is all but the last one");
         }

@@ -29,7 +29,8 @@ public sealed class FlownWakeTests
             for (int k = 0; k < 5 && moment >= 2; k++)
             {
                 bool isWhole = moment + 1 >= k_Beat;
-                float3 at = k < 4 ? At(moment, k) : Mean(n => At(moment, n)), rate = k < 4 ? RateAt(moment, k) : Mean(n => RateAt(moment, n));
+                float3 at = k < 4 ? At(moment, k) : Mean(n => At(moment, n));
+                float3 rate = k < 4 ? RateAt(moment, k) : Mean(n => RateAt(moment, n));
                 Assert.That(math.distance(points[k], 2f * at), Is.LessThan(1e-4f));
                 Assert.That(math.distance(velocities[k], 2f * rate), Is.LessThan(isWhole ? 2e-3f : 1.5f), "of up to 21");
             }

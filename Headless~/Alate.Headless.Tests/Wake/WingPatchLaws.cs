@@ -77,7 +77,8 @@ namespace Alate.Tests.Wake
             float Lift(float behind)
             {
                 using var wake = new FreeWake(
-                    new WakeSettings { Stream = new float3(0f, 0f, -4f) }, [new WakeWing(Slanted(behind, 0.3)) { Downwash = MeasuredDownwash.None }]);
+                    new WakeSettings { Stream = new float3(0f, 0f, -4f) },
+                    [new WakeWing(Slanted(behind, 0.3)) { Downwash = MeasuredDownwash.None }]);
                 wake.Step();
                 return wake.Loads(0).Force.y;
             }
@@ -91,9 +92,9 @@ namespace Alate.Tests.Wake
         public void APlateThatTurnsAboutItsMiddle_IsBraked_ByBothHalves()
         {
             const double k_Rate = 3.0;
+            var turning = new ThinWing { Span = k_Span, Pivot = 0.5, Move = t => (0.0, 0.0, k_Rate * t, k_Rate) };
             using var wake = new FreeWake(
-                new WakeSettings { SpanPanels = 3 },
-                [new WakeWing(new ThinWing { Span = k_Span, Pivot = 0.5, Move = t => (0.0, 0.0, k_Rate * t, k_Rate) }) { Downwash = MeasuredDownwash.None }]);
+                new WakeSettings { SpanPanels = 3 }, [new WakeWing(turning) { Downwash = MeasuredDownwash.None }]);
             wake.Step();
             WakeLoads loads = wake.Loads(0);
             double power = RevolvingWing.MeasuredDrag(90) * Math.Pow(k_Rate, 3) * k_Span / 64.0;

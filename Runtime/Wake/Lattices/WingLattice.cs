@@ -9,11 +9,10 @@ namespace Alate.Wake
     /// </summary>
     internal sealed class WingLattice
     {
-        /// <summary>Share of a panel that a lattice of panels ends short of a tip or a free root.</summary>
+        /// <summary>Share of a panel that the lattice ends short of a tip or a free root.</summary>
         private const float k_EndGap = 0.25f;
 
         private readonly IWingMotion m_Motion;
-        private readonly float m_EndGap;
         private readonly float2[] m_Places;
         private readonly float m_TrailingShare;
 
@@ -22,7 +21,6 @@ namespace Alate.Wake
             m_Motion = wing.Motion;
             m_TrailingShare = settings.TrailingShare;
             FreeRoot = wing.FreeRoot;
-            m_EndGap = settings.Method == WakeMethod.Panels ? k_EndGap : 0f;
             ChordPanels = settings.ChordPanels;
             SpanPanels = settings.SpanPanels;
             int corners = (ChordPanels + 1) * (SpanPanels + 1);
@@ -83,6 +81,9 @@ namespace Alate.Wake
         /// <summary>Share of the span at which the middle of a strip lies.</summary>
         public float Middle(int j) => 0.5f * (m_Places[Corner(0, j)].y + m_Places[Corner(0, j + 1)].y);
 
+        /// <summary>Share of the span over which a strip's rings reach.</summary>
+        public float Width(int j) => m_Places[Corner(0, j + 1)].y - m_Places[Corner(0, j)].y;
+
         /// <summary>Vector of a panel along its chord.</summary>
         public float3 Chordwise(int i, int j) =>
             0.5f * (Corners[Corner(i + 1, j)] + Corners[Corner(i + 1, j + 1)] - Corners[Corner(i, j)] - Corners[Corner(i, j + 1)]);
@@ -131,13 +132,12 @@ namespace Alate.Wake
             Array.Copy(Circulation, Before, RingCount);
         }
 
-        // Rings of panels end a quarter of a panel short of the tip, and of a root in the air: there the circulation falls to nothing as a
-        // square root does, and rings to the very end would have too much. Strips cover the whole wing, as their coefficients count its
-        // area.
+        // Rings end a quarter of a panel short of the tip, and of a root in the air: there the circulation falls to nothing as a square
+        // root does, and rings to the very end would have too much. The patches of strips cover the whole wing.
         private float Station(int j)
         {
-            float root = FreeRoot ? m_EndGap : 0f;
-            return (j + root) / (SpanPanels + root + m_EndGap);
+            float root = FreeRoot ? k_EndGap : 0f;
+            return (j + root) / (SpanPanels + root + k_EndGap);
         }
 
         private float FindMeanChord()

@@ -40,6 +40,9 @@ namespace Alate.Wake
         /// <summary>[strip · patches of a strip + patch]</summary>
         public WingPatch[] All { get; }
 
+        /// <summary>Share of the span at which the middle of a strip's patches lies.</summary>
+        public static float Middle(int strip, int strips) => (strip + 0.5f) / strips;
+
         /// <summary>Moves the patches to a time.</summary>
         /// <param name="beats">Time, beats.</param>
         public void Place(double beats)

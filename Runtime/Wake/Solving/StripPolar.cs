@@ -15,15 +15,15 @@ namespace Alate.Wake
         private const float k_Even = 0.05f;
 
         /// <summary>Angle of the measured wing's own downwash over C_L cos α, radians.</summary>
-        private const float k_Downwash = 0.12f;
+        private const float k_Downwash = 0.15f;
 
         /// <summary>
         /// [10 degrees] Effects of its own wake on the revolving wing of Dickinson, Lehmann and Sane 1999: the angle of its
         /// downwash over C_L, radians, and its force over that of strips which meet as much air. Found by flying that wing here until
         /// lift and drag at 10, 20, … 80 degrees came out as measured.
         /// </summary>
-        private static readonly float[] s_Angles = { 0.100f, 0.100f, 0.103f, 0.109f, 0.117f, 0.137f, 0.140f, 0.142f, 0.130f, 0.130f };
-        private static readonly float[] s_Forces = { 1.024f, 1.024f, 1.037f, 1.055f, 1.081f, 1.093f, 1.130f, 1.127f, 1.084f, 1.084f };
+        private static readonly float[] s_Angles = { 0.109f, 0.109f, 0.113f, 0.120f, 0.130f, 0.166f, 0.167f, 0.145f, 0.123f, 0.123f };
+        private static readonly float[] s_Forces = { 1.028f, 1.028f, 1.055f, 1.098f, 1.161f, 1.182f, 1.301f, 1.305f, 1.167f, 1.167f };
 
         // [half quarter degree] Coefficients, and the angle without the downwash.
         private readonly float[] m_Lift = new float[k_Steps + 1], m_Drag = new float[k_Steps + 1], m_Outer = new float[k_Steps + 1];

@@ -229,10 +229,11 @@ namespace Alate.Wake
         private StripAir Meet(int wing, int j, float3 air)
         {
             WingState state = m_Wings[wing];
-            var sum = new StripAir
-            {
-                leg = state.Lattice.Rings[state.Lattice.Corner(0, j + 1)] - state.Lattice.Rings[state.Lattice.Corner(0, j)],
-            };
+            WingLattice lattice = state.Lattice;
+            // As long as the patches reach, which is a little farther than the ring does.
+            float3 leg = (lattice.Rings[lattice.Corner(0, j + 1)] - lattice.Rings[lattice.Corner(0, j)])
+                / (lattice.Width(j) * lattice.SpanPanels);
+            var sum = new StripAir { leg = leg };
             float area = 0f;
             for (int k = j * WingPatches.PerStrip; k < (j + 1) * WingPatches.PerStrip; k++)
             {
@@ -281,7 +282,7 @@ namespace Alate.Wake
         {
             public float3 stream, lift, drag;
 
-            /// <summary>What the velocity is short of that without the downwash which the coefficients hold.</summary>
+            /// <summary>Velocity to add for a stream without the downwash that the coefficients hold.</summary>
             public float3 outer;
         }
     }

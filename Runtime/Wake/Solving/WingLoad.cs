@@ -5,7 +5,7 @@ namespace Alate.Wake
     /// <summary>Load of the air on a part of a wing; axes of the body, reference lengths, beats, over the density of the fluid.</summary>
     internal struct WingLoad
     {
-        /// <summary>Where the force acts, and how that place moves.</summary>
+        /// <summary>Place at which the force acts, and its velocity.</summary>
         public float3 place, motion;
 
         public float3 force;

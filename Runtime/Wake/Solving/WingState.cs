@@ -36,7 +36,7 @@ namespace Alate.Wake
         public WakeCores Cores { get; }
         public VortexSheet Sheet { get; }
 
-        /// <summary>What meets the air of strips; null for panels.</summary>
+        /// <summary>Patches that meet the air of strips; null for panels.</summary>
         public WingPatches Patches { get; }
 
         /// <summary>
@@ -123,8 +123,8 @@ namespace Alate.Wake
                 whole.force += sum.force;
                 whole.inflow += sum.inflow;
                 whole.weight += sum.weight;
-                m_Sections[j] = new WakeSection(
-                    Lattice.Middle(j), Lattice.Circulation[Lattice.Ring(Lattice.ChordPanels - 1, j)], sum.force, sum.MeanInflow);
+                m_Sections[j] = new WakeSection(Patches == null ? Lattice.Middle(j) : WingPatches.Middle(j, m_Sums.Length),
+                    Lattice.Circulation[Lattice.Ring(Lattice.ChordPanels - 1, j)], sum.force, sum.MeanInflow);
             }
 
             Loads = new WakeLoads(whole.force, m_Moment, m_Power, whole.MeanInflow);
