@@ -22,7 +22,7 @@ public static class SceneHashes
     /// </summary>
     private static readonly (string Name, ulong Held, Func<HashVariant, ulong> Run)[] s_Scenes =
     [
-        ("tethered", 0xef3588fd994fe653, TetheredScene.Run),
+        ("tethered", 0xa86be4558977f23c, TetheredScene.Run),
         ("free", 0x38cce708c1f0f1bf, variant => FleetScene.Run(s_Flyers, false, k_FreeFrames, false, variant)),
         ("wander", 0xe0c6dea4efc9a94e, variant => FleetScene.Run(s_Flyers, true, k_WanderFrames, false, variant)),
         ("crowd", 0xb1f641b7ee938c68, variant => FleetScene.Run(Crowd(), true, k_CrowdFrames, true, variant)),

@@ -1,5 +1,6 @@
 using System.CommandLine;
 using Alate.Flight;
+using Alate.Wake;
 
 namespace Alate.Cli;
 
@@ -28,9 +29,14 @@ internal static class TrimCommand
         {
             Description = "Makes the table of the flight and writes it into the package's sources, or beside the insect file.",
         };
+        var wake = new Option<bool>("--wake")
+        {
+            Description = "With --bake: the wings of each trim meet the air of its own wake, and the air at the end of each substep moves "
+                + "the body.",
+        };
         var folder = new Option<string>("--out") { HelpName = "DIR", Description = "Where the files go. [default: out/trim]" };
         var command = new Command("trim", "Finds the beat and the attitude that carry an insect at speeds and climbs.") { species, speeds,
-            climbs, bake, folder };
+            climbs, bake, wake, folder };
         HelpExamples.Set(command, k_Examples);
         command.SetAction(parsed =>
         {
@@ -40,7 +46,7 @@ internal static class TrimCommand
                 up = List(parsed.GetValue(climbs), TrimBake.DefaultClimbs);
             using FlightModel model = CatalogueFlight.CreateModel(insect);
             if (parsed.GetValue(bake))
-                Bake(insect, KnownSpecies.IsFile(named) ? named : null, model, ahead, up, output);
+                Bake(insect, KnownSpecies.IsFile(named) ? named : null, model, ahead, up, parsed.GetValue(wake), output);
             else
                 Survey(insect, model, ahead, up, parsed.GetValue(folder) ?? Path.Combine("out", "trim"), output);
             return 0;
@@ -50,9 +56,11 @@ internal static class TrimCommand
 
     // Into the package's sources, or beside the file of an insect.
     private static void Bake(
-        InsectDefinition insect, string file, FlightModel model, List<float> speeds, List<float> climbs, TextWriter output)
+        InsectDefinition insect, string file, FlightModel model, List<float> speeds, List<float> climbs, bool meetsWakes,
+        TextWriter output)
     {
-        var bake = new TrimBake(model) { Log = output.WriteLine };
+        model.Settles = meetsWakes;
+        var bake = new TrimBake(model) { Log = output.WriteLine, Wake = meetsWakes ? new TrimWake() : null };
         using TrimTable table = bake.Bake(speeds, climbs)
             ?? throw new UserException($"The {insect.DisplayName} does not fly: {bake.Problem}");
         if (file != null)
@@ -64,7 +72,8 @@ internal static class TrimCommand
         }
 
         string source = TrimSource.Write(insect, TrimTableText.Write(table, model.Key),
-            Asked("--speeds", speeds, TrimBake.DefaultSpeeds) + Asked("--climbs", climbs, TrimBake.DefaultClimbs));
+            Asked("--speeds", speeds, TrimBake.DefaultSpeeds) + Asked("--climbs", climbs, TrimBake.DefaultClimbs)
+                + (meetsWakes ? " --wake" : ""));
         OutputFile.Write(TrimSource.PathOf(insect), stream => stream.Write(Encoding.UTF8.GetBytes(source)));
         output.WriteLine(TrimSource.PathOf(insect));
     }

@@ -31,7 +31,7 @@ internal sealed class WakeFlight : IDisposable
             Keep = (float)plan.Keep,
             Symmetric = IsSymmetric,
             Stream = air * (float)(Period / Length),
-            Viscosity = (float)(ViscosityOf(m_Density) * Period / (Length * Length)),
+            Viscosity = (float)(WakeFluid.ViscosityOf((float)m_Density) * Period / (Length * Length)),
             Up = flight.Plan.UpOfBody,
         };
         settings.ChordPanels = plan.ChordPanels ?? settings.ChordPanels;
@@ -77,9 +77,6 @@ internal sealed class WakeFlight : IDisposable
     /// </summary>
     private const double k_Touch = 0.03, k_MostAcross = 0.1;
 
-    /// <summary>Kinematic viscosities at 20 °C, m²/s, and the density that parts liquids from gases, kg/m³.</summary>
-    private const double k_AirViscosity = 1.5e-5, k_WaterViscosity = 1.0e-6, k_Liquid = 100.0;
-
     public FlightRecord Flight { get; }
     public WakePlan Plan { get; }
 
@@ -123,10 +120,6 @@ internal sealed class WakeFlight : IDisposable
 
     /// <summary>Air behind the insect over the last beat; null where it is not shown.</summary>
     public WakePlane Plane { get; }
-
-    /// <summary>Kinematic viscosity of air or water at 20 °C, m²/s.</summary>
-    /// <param name="density">Of the fluid, kg/m³.</param>
-    internal static double ViscosityOf(double density) => density > k_Liquid ? k_WaterViscosity : k_AirViscosity;
 
     /// <summary>Frees the memory.</summary>
     public void Dispose() => m_Wake.Dispose();

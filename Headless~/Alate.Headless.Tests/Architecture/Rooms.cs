@@ -30,7 +30,7 @@ namespace Alate.Tests.Architecture
             ["Alate.Crowds"] = ["Alate", "Alate.Flight", "Alate.Geometry", "Alate.Model"],
             ["Alate.Catalogue"] = ["Alate", "Alate.Flight", "Alate.Geometry", "Alate.Model"],
             ["Alate.Sound"] = ["Alate", "Alate.Model"],
-            ["Alate.Wake"] = ["Alate.Model"],
+            ["Alate.Wake"] = ["Alate.Flight", "Alate.Model"],
             ["Alate.Showcase"] = [],
             ["Alate.Authoring"] = ["Alate.Fitting", "Alate.Geometry", "Alate.Model"],
             ["Alate.Files"] = ["Alate", "Alate.Authoring", "Alate.Catalogue", "Alate.Flight", "Alate.Model"],
@@ -156,6 +156,7 @@ namespace Alate.Tests.Architecture
                     ["Lattices"] = ["Motion", "Settings", "Vortices"],
                     ["Solving"] = ["Lattices", "Settings", "Vortices"],
                     ["Wake"] = ["Lattices", "Settings", "Solving", "Vortices"],
+                    ["Trims"] = ["Motion", "Settings", "Solving", "Wake"],
                 },
                 ["Alate.Showcase"] = new Dictionary<string, string[]>
                 {

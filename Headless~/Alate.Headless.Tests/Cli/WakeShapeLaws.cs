@@ -242,10 +242,10 @@ public sealed class WakeShapeLaws
         }
     }
 
-    [TestCase(1.2, 1.5e-5)]
-    [TestCase(998.0, 1.0e-6)]
-    public void Fluids_HaveTheViscosityOfAirOrWater(double density, double expected) =>
-        Assert.That(WakeFlight.ViscosityOf(density), Is.EqualTo(expected).Within(1).Percent);
+    [TestCase(1.2f, 1.5e-5)]
+    [TestCase(998f, 1.0e-6)]
+    public void Fluids_HaveTheViscosityOfAirOrWater(float density, double expected) =>
+        Assert.That(WakeFluid.ViscosityOf(density), Is.EqualTo(expected).Within(1).Percent);
 
     [Test]
     public void AStrongRing_IsDense_AndItsColourSaysHowItTurns()

@@ -104,6 +104,7 @@ namespace Alate.Catalogue
                 wings.Add(new FlightWing
                 {
                     Rig = rig,
+                    Surface = surface,
                     Parameters = preset.ToParameters(),
                     Hinge = hinge * new float3(side, 1f, 1f),
                     Axes = new float3x3(new float3(side, 0f, 0f), new float3(0f, 1f, 0f), new float3(0f, 0f, 1f)),

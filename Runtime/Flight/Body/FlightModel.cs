@@ -80,6 +80,12 @@ namespace Alate.Flight
         /// <summary>½ρA along each axis, kg/m.</summary>
         public float3 Drag { get; }
 
+        /// <summary>
+        /// True where trims are looked for with the air at the end of each substep; false where with that of the deformation of the substep
+        /// before. Flights go by what their table was made with.
+        /// </summary>
+        public bool Settles { get; set; }
+
         /// <summary>Number that changes with anything that a trim table of this insect depends on.</summary>
         internal uint Key { get; }
 
@@ -151,7 +157,17 @@ namespace Alate.Flight
             mass = wing.Mass,
             gravityShare = wing.GravityShare,
             side = wing.IsLeft ? -1f : 1f,
+            pair = PairOf(wing),
         };
+
+        // Number of a wing among those of its side.
+        private int PairOf(FlightWing wing)
+        {
+            int pair = 0;
+            for (int k = 0; k < Wings.Count && Wings[k] != wing; k++)
+                pair += Wings[k].IsLeft == wing.IsLeft ? 1 : 0;
+            return pair;
+        }
 
         // Masses of a wing without the option would be missing.
         private bool AllReact()

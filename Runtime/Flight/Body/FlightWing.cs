@@ -8,6 +8,9 @@ namespace Alate.Flight
         /// <summary>The wing's rig, which must live while flights of it do.</summary>
         public WingRig Rig { get; set; }
 
+        /// <summary>Mesh of the wing at rest, of which its rig was baked; null where nobody computes its wake.</summary>
+        public SurfaceMesh Surface { get; set; }
+
         /// <summary>Parameters of the beat from which commands depart.</summary>
         public WingParameters Parameters { get; set; }
 

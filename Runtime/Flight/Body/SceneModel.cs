@@ -54,13 +54,15 @@ namespace Alate.Flight
                 foreach (Wing wing in insect.Wings)
                 {
                     MeshFilter filter = InsectCheck.FilterOf(wing);
-                    WingRig rig = Rig(insect, wing, filter, rigs.Count);
+                    WingRig rig = Rig(insect, wing, filter, rigs.Count, out SurfaceMesh surface);
                     rigs.Add(rig);
                     var placed = new PlacedWing(filter.transform.localToWorldMatrix, rig.Frame);
                     var values = new PresetValues(wing.Preset == null ? insect.Preset : wing.Preset);
                     if (first == null)
                         units = UnitsPerMetre(placed, first = values);
-                    wings.Add(Describe(rig, placed, insect.transform.rotation, insect.transform.position, values, units));
+                    FlightWing described = Describe(rig, placed, insect.transform.rotation, insect.transform.position, values, units);
+                    described.Surface = surface;
+                    wings.Add(described);
                 }
 
                 return new FlightModel(wings, parts, first.size.insectMass, first.size.fluidDensity, first.size.gravityShare);
@@ -76,11 +78,13 @@ namespace Alate.Flight
             }
         }
 
-        private static WingRig Rig(InsectWings insect, Wing wing, MeshFilter filter, int index)
+        private static WingRig Rig(InsectWings insect, Wing wing, MeshFilter filter, int index, out SurfaceMesh surface)
         {
+            Mesh mesh = InsectCheck.MeshOf(wing, filter);
             var parts = new RiggedParts(
-                InsectCheck.MeshOf(wing, filter), new AutomaticSkeleton(insect.transform, filter.transform), insect.Patches);
+                mesh, new AutomaticSkeleton(insect.transform, filter.transform), insect.Patches);
             RiggedPart[] rigged = parts.Build(new[] { wing }, new List<int> { index }, out InsectProblem problem);
+            surface = rigged == null ? null : MeshParts.Surface(mesh, rigged[0].Selection);
             return rigged != null ? rigged[0].Rig : throw new InvalidOperationException(problem.Of(insect.name).Message);
         }
     }

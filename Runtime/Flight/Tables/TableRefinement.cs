@@ -169,6 +169,8 @@ namespace Alate.Flight
                 middle.z[k] = 0.5 * (a.z[k] + b.z[k]);
             for (int k = 0; k < middle.bob.Length; k++)
                 middle.bob[k] = 0.5 * (a.bob[k] + b.bob[k]);
+            for (int pair = 0; pair < middle.inflow.Length; pair++)
+                middle.inflow[pair] = (a.inflow[pair] + b.inflow[pair]) * 0.5f;
             return middle;
         }
     }

@@ -28,11 +28,14 @@ namespace Alate.Flight
         /// <summary>Receiver of the progress, a line a point; null for none.</summary>
         public Action<string> Log { get; set; }
 
+        /// <summary>Wakes whose air the wings meet, each in its own trim; null for air at rest.</summary>
+        public ITrimWake Wake { get; set; }
+
         /// <summary>Makes the table.</summary>
         /// <returns>The table; null where the insect holds no point, see <see cref="Problem"/>.</returns>
         public TrimTable Bake(IReadOnlyList<float> speeds = null, IReadOnlyList<float> climbs = null)
         {
-            var table = new TrimTable(Copy(speeds ?? DefaultSpeeds), Copy(climbs ?? DefaultClimbs));
+            var table = new TrimTable(Copy(speeds ?? DefaultSpeeds), Copy(climbs ?? DefaultClimbs)) { Settles = m_Model.Settles };
             Problem = null;
             try
             {
@@ -51,6 +54,8 @@ namespace Alate.Flight
             using var solver = new TrimSolver(m_Model);
             using var tunnel = new FlightTunnel(m_Model, BeatMap.Insects);
             TrimState[,] trims = Trims(solver, table);
+            if (Wake != null)
+                MeetWakes(new WakeTrims(m_Model, Wake, solver), table, trims);
             for (int s = 0; s < table.Speeds.Length; s++)
             {
                 for (int c = 0; c < table.ClimbRates.Length; c++)
@@ -123,6 +128,35 @@ namespace Alate.Flight
             }
 
             return trims;
+        }
+
+        // From level flight outwards and from the fastest to the slowest: each starts from the trim next to it that has met its wake, whose
+        // air it takes where its own wake is another one in each beat.
+        private void MeetWakes(WakeTrims wakes, TrimTable table, TrimState[,] still)
+        {
+            var met = new TrimState[table.Speeds.Length, table.ClimbRates.Length];
+            foreach (int c in FromLevel(table.ClimbRates))
+            {
+                int inner = c + Math.Sign(table.LevelClimb - c);
+                for (int s = table.Speeds.Length - 1; s >= 0; s--)
+                {
+                    var condition = new FlightCondition(table.Speeds[s], table.ClimbRates[c]);
+                    var beside = new List<(FlightCondition, TrimState)>();
+                    foreach ((int ns, int nc) in new[] { (s, inner), (s + 1, c) })
+                    {
+                        if (ns < table.Speeds.Length && met[ns, nc] != null)
+                            beside.Add((new FlightCondition(table.Speeds[ns], table.ClimbRates[nc]), met[ns, nc]));
+                    }
+
+                    met[s, c] = wakes.Meet(condition, still[s, c], beside, Log);
+                    Problems[s, c] = met[s, c] != null ? null : Problems[s, c] ?? $"{condition}: does not close in the air of its wake.";
+                }
+            }
+
+            Array.Copy(met, still, met.Length);
+            Problem = null;
+            foreach (string problem in Problems)
+                Problem = problem ?? Problem;
         }
 
         private static bool Close(TrimSolver solver, TrimTable table, TrimState[,] trims, string[,] problems, int s, int c, int round)

@@ -19,7 +19,7 @@ namespace Alate.Flight
             m_Model = model;
             for (int k = 0; k < count; k++)
             {
-                var subject = new Subject();
+                var subject = new Subject(model.Settles);
                 FlyingBody body = model.CreateBody();
                 body.mode = BodyMode.Held;
                 body.table = subject.table.View;
@@ -97,9 +97,11 @@ namespace Alate.Flight
 
         private sealed class Subject
         {
-            public readonly TrimTableMemory table = new TrimTableMemory(new float[1], new float[1]);
+            public readonly TrimTableMemory table;
             public readonly List<WingHandle> wings = new List<WingHandle>();
             public BodyHandle body;
+
+            public Subject(bool settles) => table = new TrimTableMemory(new float[1], new float[1], settles);
         }
     }
 }

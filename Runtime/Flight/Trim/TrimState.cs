@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using Alate.Geometry;
 using Unity.Mathematics;
 
@@ -20,6 +21,9 @@ namespace Alate.Flight
         /// <summary>[coordinate][harmonic] cosine, sine, as in <see cref="TrimPoint"/>.</summary>
         internal readonly double[] bob = new double[2 * TrimPoint.Harmonics * TrimPoint.Bobbing];
 
+        /// <summary>[pair] Air that the wake sets moving at the wings, wing lengths per second.</summary>
+        internal readonly WingInflow[] inflow = new WingInflow[TrimPoint.Pairs];
+
         /// <summary>Pitch of the body, radians, nose up.</summary>
         public double Pitch => z[0];
 
@@ -35,6 +39,9 @@ namespace Alate.Flight
         /// <summary>Middle of the stroke ahead, radians.</summary>
         public double MeanSweep => z[4];
 
+        /// <summary>[pair of wings] Air that the wake sets moving at them, in the frame of a right wing, wing lengths per second.</summary>
+        public IReadOnlyList<WingInflow> Inflow => inflow;
+
         /// <summary>Half of what the pitch bobs by in a beat, radians.</summary>
         public double PitchBob
         {
@@ -43,20 +50,37 @@ namespace Alate.Flight
                 double least = 0, most = 0;
                 for (int step = 0; step < 90; step++)
                 {
-                    double sum = 0;
-                    for (int k = 0; k < TrimPoint.Harmonics; k++)
-                    {
-                        double at = 2 * Math.PI * step / 90 * (k + 1);
-                        int place = 2 * (2 * TrimPoint.Harmonics + k);
-                        sum += bob[place] * Elementary.Cos(at) + bob[place + 1] * Elementary.Sin(at);
-                    }
-
-                    least = Math.Min(least, sum);
-                    most = Math.Max(most, sum);
+                    double turn = Bob(2, step / 90.0, false);
+                    least = Math.Min(least, turn);
+                    most = Math.Max(most, turn);
                 }
 
                 return 0.5 * (most - least);
             }
+        }
+
+        /// <summary>Rotation of the body at a time, its heading ahead.</summary>
+        /// <param name="beats">Time, beats.</param>
+        internal quaternion RotationAt(double beats) => Rotations.AboutX((float)(Bob(2, beats, false) - z[0]));
+
+        /// <summary>Place of the centre of mass about the steady motion at a time, metres.</summary>
+        /// <param name="beats">Time, beats.</param>
+        /// <param name="period">Seconds of a beat.</param>
+        internal float3 PlaceAt(double beats, double period) =>
+            new float3(0f, (float)(period * Bob(0, beats, true)), (float)(period * Bob(1, beats, true)));
+
+        // Sum of a coordinate's harmonics, or of their integrals over time in beats.
+        private double Bob(int coordinate, double beats, bool isIntegral)
+        {
+            double sum = 0;
+            for (int k = 1; k <= TrimPoint.Harmonics; k++)
+            {
+                int place = 2 * (coordinate * TrimPoint.Harmonics + k - 1);
+                double turn = 2 * Math.PI * k * (beats - Math.Floor(beats)), cos = Elementary.Cos(turn), sin = Elementary.Sin(turn);
+                sum += isIntegral ? (bob[place] * sin - bob[place + 1] * cos) / (2 * Math.PI * k) : bob[place] * cos + bob[place + 1] * sin;
+            }
+
+            return sum;
         }
 
         /// <summary>A start for slow flight: steep, with a tilted stroke.</summary>
@@ -76,6 +100,7 @@ namespace Alate.Flight
             var copy = new TrimState();
             Array.Copy(z, copy.z, z.Length);
             Array.Copy(bob, copy.bob, bob.Length);
+            Array.Copy(inflow, copy.inflow, inflow.Length);
             return copy;
         }
 
@@ -94,6 +119,8 @@ namespace Alate.Flight
             point[TrimPoint.Drive + 3] = (float)z[4];
             for (int k = 0; k < bob.Length; k++)
                 point[TrimPoint.Bob + k] = (float)bob[k];
+            for (int pair = 0; pair < inflow.Length; pair++)
+                BodyWake.Write(point, pair, inflow[pair]);
         }
 
         /// <summary>The state of a table's point.</summary>
@@ -106,6 +133,8 @@ namespace Alate.Flight
                 state.z[k + 1] = point[TrimPoint.Drive + k];
             for (int k = 0; k < state.bob.Length; k++)
                 state.bob[k] = point[TrimPoint.Bob + k];
+            for (int pair = 0; pair < state.inflow.Length; pair++)
+                state.inflow[pair] = BodyWake.Read(point, pair);
             return state;
         }
 

@@ -43,6 +43,30 @@ namespace Alate.Flight
             }
         }
 
+        /// <summary>
+        /// True where bodies that fly by the table are moved by the air at the end of each substep; false where by that of the deformation
+        /// of the substep before, as the tables of version 1 were made for.
+        /// </summary>
+        public bool Settles { get; internal set; }
+
+        /// <summary>True where a point says what air its wake sets moving at the wings.</summary>
+        public bool HasWake
+        {
+            get
+            {
+                foreach (float[] point in m_Points)
+                {
+                    for (int k = TrimPoint.Inflow; point != null && k < point.Length; k++)
+                    {
+                        if (point[k] != 0f)
+                            return true;
+                    }
+                }
+
+                return false;
+            }
+        }
+
         /// <summary>Returns true where the insect flies at a point.</summary>
         public bool IsClosed(int speed, int climb) => m_Closed[At(speed, climb)];
 
@@ -87,7 +111,7 @@ namespace Alate.Flight
             {
                 if (m_Memory == null)
                 {
-                    m_Memory = new TrimTableMemory(Speeds, ClimbRates);
+                    m_Memory = new TrimTableMemory(Speeds, ClimbRates, Settles);
                     for (int s = 0; s < Speeds.Length; s++)
                     {
                         for (int c = 0; c < ClimbRates.Length; c++)
@@ -146,7 +170,7 @@ namespace Alate.Flight
         internal TrimTable WithSpeed(float speed)
         {
             float[] speeds = With(Speeds, speed, out int added);
-            var table = new TrimTable(speeds, ClimbRates);
+            var table = new TrimTable(speeds, ClimbRates) { Settles = Settles };
             for (int k = 0; k < m_Points.Length; k++)
                 Give(table, k / ClimbRates.Length, k % ClimbRates.Length, added, int.MaxValue);
             return table;
@@ -156,7 +180,7 @@ namespace Alate.Flight
         internal TrimTable WithClimb(float climb)
         {
             float[] climbs = With(ClimbRates, climb, out int added);
-            var table = new TrimTable(Speeds, climbs);
+            var table = new TrimTable(Speeds, climbs) { Settles = Settles };
             for (int k = 0; k < m_Points.Length; k++)
                 Give(table, k / ClimbRates.Length, k % ClimbRates.Length, int.MaxValue, added);
             return table;

@@ -90,6 +90,15 @@ namespace Alate
                 body.rights = 0;
         }
 
+        /// <summary>Drive of a wing by the point's trim alone.</summary>
+        public static WingDrive Trim(float* point) => new WingDrive
+        {
+            frequency = point[TrimPoint.Drive],
+            amplitude = point[TrimPoint.Drive + 1],
+            tilt = point[TrimPoint.Drive + 2],
+            meanSweep = point[TrimPoint.Drive + 3],
+        };
+
         /// <summary>Drive of a wing by the point's trim and the last commands.</summary>
         public static WingDrive Drive(in FlyingBody body, float* point, float side)
         {

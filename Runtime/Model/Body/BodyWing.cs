@@ -32,6 +32,9 @@ namespace Alate
         /// <summary>Share of gravity that the wing feels.</summary>
         public float gravityShare;
 
+        /// <summary>Number of the wing among those of its side.</summary>
+        public int pair;
+
         /// <summary>1 for a right wing, −1 for a left one.</summary>
         public float side;
 

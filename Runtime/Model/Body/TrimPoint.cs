@@ -2,8 +2,8 @@ namespace Alate
 {
     /// <summary>
     /// Layout of one point of a trim table, floats: attitude and beat that carry the insect at one speed and climb, the bob of its body in
-    /// that beat, and the gains of the feedback. Longitudinal and lateral motion are apart, as they are for a body with a plane of
-    /// symmetry.
+    /// that beat, the gains of the feedback, and the air that the wake sets moving at the wings. Longitudinal and lateral motion are apart,
+    /// as they are for a body with a plane of symmetry.
     /// </summary>
     internal static class TrimPoint
     {
@@ -36,7 +36,18 @@ namespace Alate
         /// <summary>Offsets of the gains, [command][state], commands in units of <see cref="FlightCommands"/>.</summary>
         public const int LongGains = Bob + 2 * Harmonics * Bobbing, SideGains = LongGains + LongCommands * LongStates;
 
+        /// <summary>Floats of a point without the air of its wake.</summary>
+        public const int OwnFloats = SideGains + SideCommands * SideStates;
+
+        /// <summary>Most pairs of wings whose wake a table holds, and floats of the air of one.</summary>
+        public const int Pairs = 2, InflowFloats = 15;
+
+        /// <summary>
+        /// Offset of the air that the wake sets moving at each pair of wings, [pair] <see cref="WingInflow"/>, wing lengths per second.
+        /// </summary>
+        public const int Inflow = OwnFloats;
+
         /// <summary>Floats of a point.</summary>
-        public const int Floats = SideGains + SideCommands * SideStates;
+        public const int Floats = Inflow + Pairs * InflowFloats;
     }
 }

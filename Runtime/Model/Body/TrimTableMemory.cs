@@ -10,9 +10,9 @@ namespace Alate
         private float* m_Block;
 
         /// <summary>Allocates a table for a grid, all zeros.</summary>
-        public TrimTableMemory(float[] speeds, float[] climbs)
+        public TrimTableMemory(float[] speeds, float[] climbs, bool settles = false)
         {
-            int count = speeds.Length + climbs.Length + speeds.Length * climbs.Length * TrimPoint.Floats;
+            int count = speeds.Length + climbs.Length + speeds.Length * climbs.Length * TrimPoint.Floats + 1;
             m_Block = (float*)UnsafeUtility.MallocTracked((long)count * sizeof(float), 64, Allocator.Persistent, 0);
             UnsafeUtility.MemClear(m_Block, (long)count * sizeof(float));
             View = new TrimTableView
@@ -20,6 +20,8 @@ namespace Alate
                 speeds = m_Block,
                 climbs = m_Block + speeds.Length,
                 points = m_Block + speeds.Length + climbs.Length,
+                wake = m_Block + (count - 1),
+                settles = settles ? 1 : 0,
                 speedCount = speeds.Length,
                 climbCount = climbs.Length,
             };
@@ -38,6 +40,8 @@ namespace Alate
             float* target = View.points + (speed * View.climbCount + climb) * TrimPoint.Floats;
             for (int k = 0; k < TrimPoint.Floats; k++)
                 target[k] = point[k];
+            for (int k = TrimPoint.Inflow; k < TrimPoint.Floats; k++)
+                *View.wake = point[k] != 0f ? 1f : *View.wake;
         }
 
         public void Dispose()

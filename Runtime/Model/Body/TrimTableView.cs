@@ -11,7 +11,16 @@ namespace Alate
         /// <summary>[speed][climb] <see cref="TrimPoint"/>.</summary>
         public float* points;
 
+        /// <summary>1 where a point has the air of a wake, else 0.</summary>
+        public float* wake;
+
         public int speedCount, climbCount;
+
+        /// <summary>1 where the air at the end of a substep moves the body, 0 where it is that which the loads were made with.</summary>
+        public int settles;
+
+        /// <summary>True where the table says what air the wings meet.</summary>
+        public readonly bool HasWake => *wake != 0f;
 
         /// <summary>Fills a point between the four around a speed and a climb; outside of the grid its edge.</summary>
         public void Read(float speed, float climb, float* point)

@@ -35,7 +35,7 @@ namespace Alate
                     scratch.carriedFrames[joint].c1 * ((turned - rate) * pack.parameters->numbers.airDensity * pack.rig.addedMasses[joint]);
                 scratch.forces[joint] += force;
                 if (pack.recordedLoads != null)
-                    pack.RecordedAddedMass[joint] = force;
+                    pack.RecordedJointForces[joint] = force;
             }
         }
     }

@@ -7,62 +7,25 @@ namespace Alate
     /// </summary>
     internal static unsafe class JointLoads
     {
-        /// <summary>Fills forces, airDamping and torques, and adds force and moment of the air and powers to the readings.</summary>
+        /// <summary>Fills forces, those of the air alone, airDamping and torques.</summary>
         public static void Evaluate(in WingPack pack, in StepScratch scratch, in ImplicitStep step)
         {
             for (int joint = 0; joint < pack.rig.jointCount; joint++)
             {
                 scratch.forces[joint] = default;
                 scratch.airDamping[joint] = default;
+                if (pack.recordedLoads != null)
+                    pack.RecordedJointForces[joint] = default;
             }
 
             Aerodynamics.Apply(pack, scratch);
             if (pack.options.addedMass)
                 AddedMass.Apply(pack, scratch, step);
-            ReadAir(pack, scratch);
-            ReadPowers(pack, scratch, step);
             AddInertiaAndGravity(pack, scratch);
             if (pack.options.torqueArm == TorqueArm.OwnLoadAboutRoot)
                 TorquesAboutRoot(pack, scratch);
             else
                 TorquesOfDistalJoints(pack, scratch);
-        }
-
-        private static void ReadAir(in WingPack pack, in StepScratch scratch)
-        {
-            SoaFloat3 force = default, moment = default;
-            for (int joint = 0; joint < pack.rig.jointCount; joint++)
-            {
-                force += scratch.forces[joint];
-                moment += SoaFloat3.Cross(scratch.carriedPositions[joint], scratch.forces[joint]);
-            }
-
-            moment += SoaFloat3.Cross(pack.surroundings->hinge, force);
-            pack.readings->airForce += force;
-            pack.readings->airMoment += moment;
-            pack.air->force = force;
-            pack.air->moment = moment;
-        }
-
-        // What the wing gives to the air, less force times velocity, and what its own mass takes, the rate of its kinetic energy. The
-        // velocity is the driven one and that of the deformation; a wing without a past has no rate.
-        private static void ReadPowers(in WingPack pack, in StepScratch scratch, in ImplicitStep step)
-        {
-            float4 air = 0f, energy = 0f;
-            for (int joint = 0; joint < pack.rig.jointCount; joint++)
-            {
-                SoaFloat3 velocity = scratch.drivenVelocities[joint] + pack.motions[joint].velocity;
-                air -= SoaFloat3.Dot(scratch.forces[joint], velocity);
-                energy += 0.5f * pack.rig.jointMasses[joint] * SoaFloat3.LengthSquared(velocity);
-            }
-
-            PackReadings* readings = pack.readings;
-            float4 inertial = math.select((energy - readings->kineticEnergy) / step.dt, 0f, *pack.lastSubstep <= 0f);
-            readings->kineticEnergy = energy;
-            readings->airPower += air;
-            readings->inertialPower += inertial;
-            readings->positivePower += math.max(air + inertial, 0f);
-            pack.air->power = air;
         }
 
         // Eq. 5, 8 in the wing's own frame: the load of the driven motion, −κ m a; and m g of Eq. 4.
@@ -73,6 +36,7 @@ namespace Alate
             for (int joint = 0; joint < pack.rig.jointCount; joint++)
             {
                 float4 mass = pack.rig.jointMasses[joint];
+                scratch.airForces[joint] = scratch.forces[joint];
                 scratch.forces[joint] += (gravity - scratch.drivenAccelerations[joint] * inertia) * mass;
             }
         }

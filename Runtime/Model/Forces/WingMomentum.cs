@@ -10,17 +10,13 @@ namespace Alate
         /// <summary>Fills the pack's momentum; after the new pose, before its motions replace those of the substep before.</summary>
         public static void Evaluate(in WingPack pack, in StepScratch scratch, float4 dt)
         {
-            // The deformation moved by its mean rate; carried on by half of what that changed, it is the rate at the end.
-            float4 inverse = 1f / dt, past = *pack.lastSubstep;
-            float4 ahead = math.select(dt / (dt + past), 0f, past <= 0f);
+            var rates = new EndRates(pack, dt);
             SoaFloat3 hinge = pack.surroundings->hinge;
             LaneMomentum sum = default;
             for (int joint = 0; joint < pack.rig.jointCount; joint++)
             {
                 SoaFloat3 position = scratch.pose[joint].position;
-                SoaFloat3 rate = (position - pack.pose[joint].position - scratch.drivenPositions[joint] + pack.drivenPositions[joint])
-                    * inverse;
-                SoaFloat3 velocity = scratch.drivenVelocities[joint] + rate + (rate - pack.motions[joint].velocity) * ahead;
+                SoaFloat3 velocity = scratch.drivenVelocities[joint] + rates.Of(pack, scratch, joint);
                 float mass = pack.rig.jointMasses[joint];
                 SoaFloat3 x = position + hinge, moved = velocity * mass, placed = x * mass;
                 sum.first += placed;

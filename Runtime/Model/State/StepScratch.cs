@@ -4,7 +4,7 @@ namespace Alate
 {
     /// <summary>Working memory of one substep: one block per worker, allocated once, sized for the largest rig.</summary>
     /// <remarks>
-    /// 211,456 bytes a worker for a monarch, and none a wing: what lives within a substep alone does not grow with the number of wings.
+    /// 212,672 bytes a worker for a monarch, and none a wing: what lives within a substep alone does not grow with the number of wings.
     /// Each array is on cache lines of its own, in the order in which the substep fills them.
     /// </remarks>
     internal unsafe struct StepScratch
@@ -45,6 +45,9 @@ namespace Alate
         public SoaFloat3* spanRates;
         public SoaFloat3* chordRates;
         public SoaFloat3* forces;
+
+        /// <summary>[joint] Part of the forces that is the air's.</summary>
+        public SoaFloat3* airForces;
         public float4* airDamping;
         public SoaFloat3* relativeWind;
         public SoaFloat3* normals;
@@ -124,6 +127,7 @@ namespace Alate
             scratch.spanRates = (SoaFloat3*)carver.Carve<SoaFloat3>(joints);
             scratch.chordRates = (SoaFloat3*)carver.Carve<SoaFloat3>(joints);
             scratch.forces = (SoaFloat3*)carver.Carve<SoaFloat3>(joints);
+            scratch.airForces = (SoaFloat3*)carver.Carve<SoaFloat3>(joints);
             scratch.airDamping = (float4*)carver.Carve<float4>(joints);
             scratch.relativeWind = (SoaFloat3*)carver.Carve<SoaFloat3>(patches);
             scratch.normals = (SoaFloat3*)carver.Carve<SoaFloat3>(patches);

@@ -28,6 +28,26 @@ namespace Alate
         /// <summary>True where a part is not zero.</summary>
         public readonly bool IsSet => !Equals(default);
 
+        /// <summary>Mean of the squared speed over the beat, (L/s)².</summary>
+        internal readonly float MeanSquare => math.lengthsq(mean)
+            + 0.5f * (math.lengthsq(cosine1) + math.lengthsq(sine1) + math.lengthsq(cosine2) + math.lengthsq(sine2));
+
+        /// <summary>Part of a series that one of many velocities at even times makes: their mean is the series through them.</summary>
+        /// <param name="beats">Time of the velocity, beats.</param>
+        /// <param name="velocity">L/s.</param>
+        internal static WingInflow Sample(double beats, float3 velocity)
+        {
+            Elementary.SinCos((float)(2.0 * Math.PI * (beats - Math.Floor(beats))), out float sin, out float cos);
+            return new WingInflow
+            {
+                mean = velocity,
+                cosine1 = 2f * cos * velocity,
+                sine1 = 2f * sin * velocity,
+                cosine2 = 2f * (1f - 2f * sin * sin) * velocity,
+                sine2 = 4f * sin * cos * velocity,
+            };
+        }
+
         /// <summary>Multiplies all parts.</summary>
         public static WingInflow operator *(WingInflow inflow, float factor) => new WingInflow
         {

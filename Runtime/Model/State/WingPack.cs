@@ -118,7 +118,7 @@ namespace Alate
         public JointMotion* motions;
 
         /// <summary>
-        /// Aerodynamic loads per patch of the last substep, and behind them <see cref="RecordedAddedMass"/>; null unless recording.
+        /// Aerodynamic loads per patch of the last substep, and behind them <see cref="RecordedJointForces"/>; null unless recording.
         /// </summary>
         public PatchLoad* recordedLoads;
 
@@ -141,8 +141,11 @@ namespace Alate
         /// <summary>Number of substeps from slot to slot of each wing; the last slot may follow sooner.</summary>
         public float4 slotStride;
 
-        /// <summary>[joint] Force of the added mass in the last substep, wing mass · L/s²; only while recording.</summary>
-        public readonly SoaFloat3* RecordedAddedMass => (SoaFloat3*)(recordedLoads + rig.patchCount);
+        /// <summary>
+        /// [joint] Force of the air in the last substep beside that of the patches: of the added mass, and what the deformation has changed
+        /// in the substep, wing mass · L/s²; only while recording.
+        /// </summary>
+        public readonly SoaFloat3* RecordedJointForces => (SoaFloat3*)(recordedLoads + rig.patchCount);
 
         /// <summary>Number of float4 in what is recorded.</summary>
         public readonly int RecordedCount => (rig.patchCount * sizeof(PatchLoad) + rig.jointCount * sizeof(SoaFloat3)) / sizeof(float4);

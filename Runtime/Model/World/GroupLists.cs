@@ -65,6 +65,25 @@ namespace Alate
                 parameters->drive.Set(lane, drive, true);
         }
 
+        /// <summary>Lets all wings of a body meet the air of the wake at a point of its table.</summary>
+        /// <param name="body">The body.</param>
+        /// <param name="point">A <see cref="TrimPoint"/>; null for air at rest.</param>
+        /// <param name="drive">Beat of the wings, by whose speed the air is scaled.</param>
+        public void MeetWake(in FlyingBody body, float* point, in WingDrive drive)
+        {
+            if (!body.table.HasWake)
+                return;
+            float share = point == null ? 0f : BodyWake.Share(point, drive);
+            for (int k = body.firstWing; k < body.firstWing + body.wingCount; k++)
+            {
+                WingInflow air = point == null ? default : BodyWake.At(point, wings[k].pair) * share;
+                LaneInflow* inflow = packs[wings[k].pack].inflow;
+                inflow->Set(wings[k].lane, air);
+                for (int lane = wings[k].firstCopy; lane < wings[k].endCopy; lane++)
+                    inflow->Set(lane, air);
+            }
+        }
+
         private void SetSubsteps(int pack, int lane, float count, float time)
         {
             packs[pack].substeps[lane] = count;

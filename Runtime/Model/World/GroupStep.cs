@@ -131,6 +131,7 @@ namespace Alate
                 if (!due)
                     body.latched = 0;
                 BodyMotion.Place(ref body, point, BodyBob.At(point, phase + 0.5f * h * beat->rate[lane]), body.reference.velocity);
+                lists.MeetWake(body, point, BodyFeedback.Trim(point));
             }
             else if (body.mode == BodyMode.Free && body.follows > 1)
             {
@@ -160,6 +161,8 @@ namespace Alate
                         lists.Command(
                             lists.wings[body.firstWing + k], BodyFeedback.Drive(body, point, lists.wings[body.firstWing + k].side));
                     }
+
+                    lists.MeetWake(body, point, BodyFeedback.Drive(body, point, 0f));
                 }
                 else if (!due)
                 {
@@ -174,6 +177,7 @@ namespace Alate
             {
                 body.middleRotation = body.rotation;
                 body.middleVelocity = body.middleSpin = default;
+                lists.MeetWake(body, null, default);
             }
 
             for (int k = 0; k < body.wingCount; k++)
@@ -250,6 +254,7 @@ namespace Alate
             body.Forget();
             for (int k = 0; k < body.wingCount; k++)
                 lists.Command(lists.wings[body.firstWing + k], BodyFeedback.Drive(body, point, lists.wings[body.firstWing + k].side));
+            lists.MeetWake(body, point, BodyFeedback.Trim(point));
         }
     }
 }

@@ -126,6 +126,7 @@ namespace Alate
             Bending.Pose(pack, scratch);
             float4 iterations = ElasticStep.Step(pack, scratch, step);
             JointFrames.Evaluate(pack, scratch, scratch.pose);
+            AirReadings.Evaluate(pack, scratch, step);
             if (pack.carries && pack.options.bodyReaction)
                 WingMomentum.Evaluate(pack, scratch, h);
             JointFrames.Motions(pack, scratch, h);
@@ -181,6 +182,7 @@ namespace Alate
         {
             pack.substepLength /= pack.substeps;
             PackSlots.Begin(ref pack);
+            pack.air->lags = default;
             pack.readings->airForce = default;
             pack.readings->airMoment = default;
             pack.readings->airPower = default;

@@ -164,12 +164,15 @@ namespace Alate
         /// <summary>Place of a joint along the span at rest, wing lengths from the hinge.</summary>
         internal float JointSpan(int joint) => m_Pack.rig.restJoints[joint].x;
 
-        /// <summary>Force of the added mass on a joint in the last substep, wing masses · L/s²; 0 without it.</summary>
+        /// <summary>
+        /// Force of the air on a joint in the last substep beside that of the patches, wing masses · L/s²: of the added mass, and what the
+        /// deformation has changed in the substep.
+        /// </summary>
         /// <exception cref="InvalidOperationException">Patch loads are not kept.</exception>
-        internal float3 AddedMassForce(int joint)
+        internal float3 JointForce(int joint)
         {
             Load(0);
-            return m_Pack.RecordedAddedMass[joint][m_Lane];
+            return m_Pack.RecordedJointForces[joint][m_Lane];
         }
 
         /// <summary>Force on a patch in the last substep, wing masses · L/s².</summary>
@@ -182,7 +185,7 @@ namespace Alate
 
         /// <summary>
         /// Adds the force of the air in the last substep to the joints: of each patch to the four around it, as the step itself shares it
-        /// out, and that of the added mass.
+        /// out, and what joints feel beside.
         /// </summary>
         /// <param name="loads">[chain · m + joint] Wing masses · L/s².</param>
         /// <exception cref="InvalidOperationException">Patch loads are not kept.</exception>
@@ -204,7 +207,7 @@ namespace Alate
             }
 
             for (int joint = 0; joint < loads.Length; joint++)
-                loads[joint] += AddedMassForce(joint);
+                loads[joint] += JointForce(joint);
         }
 
         private BeatState* Beat => Current().beat;

@@ -29,7 +29,7 @@ internal readonly record struct SpanStrip(double Area, float3 Force, float3 Mome
         {
             float span = reading.JointSpan(joint);
             float3 position = reading.JointPosition(joint / reading.JointsPerChain, joint % reading.JointsPerChain);
-            Add(ref strips[IndexOf(span)], reading, span, position, reading.AddedMassForce(joint), hinge);
+            Add(ref strips[IndexOf(span)], reading, span, position, reading.JointForce(joint), hinge);
         }
 
         return Array.ConvertAll(strips, strip => strip with { Attack = strip.Area > 0.0 ? strip.Attack / strip.Area : double.NaN });

@@ -85,7 +85,7 @@ internal sealed class WakeStepper : IDisposable
             FarCore = k_FarCore,
             Symmetric = m_IsSymmetric,
             Stream = pace.Air * (period / Length),
-            Viscosity = (float)(WakeFlight.ViscosityOf(m_Density) * period / (Length * Length)),
+            Viscosity = (float)(WakeFluid.ViscosityOf((float)m_Density) * period / (Length * Length)),
             OnOneThread = true,
         };
         return new FreeWake(settings, m_Motions.Select((motion, k) => new WakeWing(motion) { Coefficients = m_Coefficients[k] }).ToList());

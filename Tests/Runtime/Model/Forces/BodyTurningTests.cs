@@ -96,6 +96,12 @@ namespace Alate.Tests
                         sizes += math.length(moment);
                     }
 
+                    for (int joint = 0; joint < reading.ChainCount * reading.JointsPerChain; joint++)
+                    {
+                        float3 place = reading.JointPosition(joint / reading.JointsPerChain, joint % reading.JointsPerChain);
+                        sum += math.cross(place + air.hinge, reading.JointForce(joint));
+                    }
+
                     Assert.That(math.distance(reading.AirMoment, sum), Is.LessThan(1e-3f * sizes), $"substep {k}");
                 }
             }

@@ -28,7 +28,7 @@ namespace Alate.Tests
         }
 
         [Test]
-        public void PatchForces_AddUpToTheAirForce()
+        public void PatchForces_AndWhatJointsFeelBeside_AddUpToTheAirForce()
         {
             using (var flown = new FlownMonarch())
             {
@@ -40,6 +40,8 @@ namespace Alate.Tests
                 float3 sum = float3.zero;
                 for (int patch = 0; patch < reading.PatchCount; patch++)
                     sum += reading.PatchForce(patch);
+                for (int joint = 0; joint < reading.ChainCount * reading.JointsPerChain; joint++)
+                    sum += reading.JointForce(joint);
 
                 Assert.That(reading.Substeps, Is.EqualTo(1), "the air force is the mean of several substeps");
                 Assert.That(math.length(sum), Is.GreaterThan(0f));
@@ -68,6 +70,9 @@ namespace Alate.Tests
 
                 for (int joint = 0; joint < loads.Length; joint++)
                 {
+                    force += reading.JointForce(joint);
+                    moment += math.cross(
+                        reading.JointPosition(joint / reading.JointsPerChain, joint % reading.JointsPerChain), reading.JointForce(joint));
                     first += joint == 0 ? loads[joint] : default;
                     jointForce += loads[joint];
                     jointMoment += math.cross(

@@ -1,0 +1,98 @@
+using System.Collections.Generic;
+using Alate.Flight;
+using Alate.Wake;
+using NUnit.Framework;
+using Unity.Mathematics;
+
+namespace Alate.Tests.FreeFlights
+{
+    /// <summary>Trims in the air of their own wakes: the disk by its equation, wakes that are given, and one that is computed.</summary>
+    public sealed class WakeTrimsLaws
+    {
+        private static readonly FlightCondition s_Cruise = new(1f, 0f), s_Slow = new(0.3f, 0f);
+
+        [Test]
+        public void ADisk_InducesTheSameForce_AtAnySpeed([Values(0.1f, 0.4f, 2f)] float induced, [Values(0f, 0.3f, 1.3f)] float speed,
+            [Values(0f, 0.2f, 1f)] float other)
+        {
+            float there = induced * WakeTrims.DiskShare(induced, speed, other);
+            Assert.That(there * math.sqrt(other * other + there * there),
+                Is.EqualTo(induced * math.sqrt(speed * speed + induced * induced)).Within(0.01).Percent);
+            Assert.That(WakeTrims.DiskShare(0f, speed, other), Is.EqualTo(1f), "air at rest stays so");
+        }
+
+        [Test]
+        public void ATrim_ClosesInTheAirThatItsWakeIsSaidToHave()
+        {
+            using var insect = new FlyingInsect("firefly");
+            using var solver = new TrimSolver(insect.Model);
+            var air = new WingInflow { mean = new float3(0f, -8f, -2f) };
+            var trims = new WakeTrims(insect.Model, new SaidWake(air), solver);
+            TrimState still = solver.Solve(s_Cruise, solver.Start(), out _), met = trims.Meet(s_Cruise, still, [], null);
+
+            Assert.That(met.Inflow[0], Is.EqualTo(air));
+            Assert.That(TrimSolver.Norm(solver.Residual(met, s_Cruise, out _)), Is.LessThan(TrimSolver.Closed));
+            Assert.That(met.FrequencyScale * met.AmplitudeScale, Is.GreaterThan(1.01 * still.FrequencyScale * still.AmplitudeScale),
+                "what blows down takes lift");
+        }
+
+        [Test]
+        public void WhereTheWakeIsAnotherInEachBeat_TheAirIsThatBeside_AsADiskMakesIt()
+        {
+            using var insect = new FlyingInsect("firefly");
+            using var solver = new TrimSolver(insect.Model);
+            TrimState fast = solver.Solve(s_Cruise, solver.Start(), out _);
+            fast.inflow[0] = new WingInflow { mean = new float3(0f, -5f, 0f), sine1 = new float3(0f, 2f, 0f) };
+            var lines = new List<string>();
+            var trims = new WakeTrims(insect.Model, new SaidWake(null), solver);
+            TrimState slow = trims.Meet(s_Slow, null, [(s_Cruise, fast)], lines.Add);
+
+            float share = WakeTrims.DiskShare(5f * insect.Model.Length, 1f, 0.3f);
+            Assert.That(share, Is.GreaterThan(1f));
+            Assert.That(slow.Inflow[0].mean.y, Is.EqualTo(-5f * share).Within(1e-3f));
+            Assert.That(slow.Inflow[0].sine1.y, Is.EqualTo(2f * share).Within(1e-3f));
+            string told = $"{s_Slow}: the wake is another one in each beat; the air is that of {s_Cruise}, scaled.";
+            Assert.That(lines, Is.EqualTo(new[] { told }));
+            Assert.That(trims.Meet(s_Slow, null, [], null), Is.Null, "nothing to take");
+        }
+
+        // The force of the wings in the wake carries the weight as that of the trim does, within what a lifting line differs by.
+        [Test]
+        public void AFireflysTrim_MeetsItsOwnWake()
+        {
+            using var insect = new FlyingInsect("firefly");
+            insect.Model.Settles = true;
+            using var solver = new TrimSolver(insect.Model);
+            TrimState still = solver.Solve(s_Slow, solver.Start(), out _);
+            var trims = new WakeTrims(insect.Model, new TrimWake(), solver);
+            TrimState met = trims.Meet(s_Slow, still, [], null);
+            var found = new WingInflow[TrimPoint.Pairs];
+            Assert.That(new TrimWake().Find(insect.Model, met, s_Slow, found));
+            Assert.That((found[0] + met.Inflow[0] * -1f).MeanSquare, Is.LessThan(0.05f * 0.05f * found[0].MeanSquare), "its own");
+            Assert.That(found[1].IsSet, Is.False, "a firefly beats one pair");
+            float3 mean = math.rotate(quaternion.RotateX(-(float)met.Pitch), found[0].mean) * insect.Model.Length;
+            Assert.That(mean.y, Is.InRange(-0.6f, -0.1f), "downwards, m/s");
+            Assert.That(met.FrequencyScale * met.AmplitudeScale, Is.GreaterThan(still.FrequencyScale * still.AmplitudeScale));
+        }
+
+        [Test]
+        public void AWingWithoutASurface_ShedsNone_InOneLine()
+        {
+            using var insect = new FlyingInsect("firefly");
+            insect.Model.Wings[0].Surface = null;
+            Assert.That(() => new TrimWake().Find(insect.Model, new TrimState(), s_Cruise, new WingInflow[2]),
+                Throws.ArgumentException.With.Message.Contains("FlightWing.Surface"));
+        }
+
+        // Says that a wake has some air; null for one that is another in each beat.
+        private sealed class SaidWake(WingInflow? air) : ITrimWake
+        {
+            public bool Find(FlightModel model, TrimState trim, in FlightCondition condition, WingInflow[] pairs)
+            {
+                if (air is WingInflow said)
+                    pairs[0] = said;
+                return air != null;
+            }
+        }
+    }
+}
