@@ -59,7 +59,6 @@ internal static class TrimCommand
         InsectDefinition insect, string file, FlightModel model, List<float> speeds, List<float> climbs, bool meetsWakes,
         TextWriter output)
     {
-        model.Settles = meetsWakes;
         var bake = new TrimBake(model) { Log = output.WriteLine, Wake = meetsWakes ? new TrimWake() : null };
         using TrimTable table = bake.Bake(speeds, climbs)
             ?? throw new UserException($"The {insect.DisplayName} does not fly: {bake.Problem}");

@@ -56,6 +56,19 @@ namespace Alate.Tests.FreeFlights
             Assert.That(trims.Meet(s_Slow, null, [], null), Is.Null, "nothing to take");
         }
 
+        [Test]
+        public void ABakeWithWakes_MakesATableThatSettles_AndKeepsTheirAir()
+        {
+            using var insect = new FlyingInsect("firefly");
+            var air = new WingInflow { mean = new float3(0f, -4f, -1f) };
+            var bake = new TrimBake(insect.Model) { Wake = new SaidWake(air) };
+            using TrimTable table = bake.Bake([1f], [0f]);
+            using TrimTable read = TrimTableText.Read(TrimTableText.Write(table, insect.Model.Key), insect.Model.Key);
+
+            Assert.That((table.Settles, read.Settles, insect.Model.Settles), Is.EqualTo((true, true, true)));
+            Assert.That(TrimState.Read(read.Point(0, 0), insect.Model.Frequency).Inflow[0], Is.EqualTo(air));
+        }
+
         // The force of the wings in the wake carries the weight as that of the trim does, within what a lifting line differs by.
         [Test]
         public void AFireflysTrim_MeetsItsOwnWake()

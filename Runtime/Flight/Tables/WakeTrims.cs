@@ -6,8 +6,8 @@ namespace Alate.Flight
 {
     /// <summary>
     /// Trims of a table in the air of their own wakes, in rounds: compute the wake of each trim, look for the trim again in its air, until
-    /// both agree. Where an insect hovers in its own wake that is another one in each beat, it takes the air of the next faster trim, as
-    /// much faster as an actuator disk makes it.
+    /// both agree. Where an insect hovers in its own wake that is another one in each beat, it takes the air of a trim beside it, as much
+    /// faster as an actuator disk makes it.
     /// </summary>
     internal sealed class WakeTrims
     {

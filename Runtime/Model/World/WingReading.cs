@@ -49,7 +49,9 @@ namespace Alate
         /// <summary>Half amplitudes of this beat (Eq. 7), radians: x flap, y sweep, z feather.</summary>
         public float3 Amplitude => Beat->amplitude[m_Lane];
 
-        /// <summary>Aerodynamic force (Eq. 11), mean over the last step, wing masses · L/s².</summary>
+        /// <summary>
+        /// Aerodynamic force (Eq. 11) at the ends of the substeps, mean over the last step, wing masses · L/s².
+        /// </summary>
         public float3 AirForce => Readings->airForce[m_Lane];
 
         /// <summary>
@@ -175,7 +177,10 @@ namespace Alate
             return m_Pack.RecordedJointForces[joint][m_Lane];
         }
 
-        /// <summary>Force on a patch in the last substep, wing masses · L/s².</summary>
+        /// <summary>
+        /// Force on a patch in the last substep, wing masses · L/s², as the deformation of the substep before makes it:
+        /// <see cref="AirForce"/> holds what the substep changes too.
+        /// </summary>
         /// <exception cref="InvalidOperationException">Patch loads are not kept.</exception>
         public float3 PatchForce(int patch) => Load(patch)->force[m_Lane];
 
