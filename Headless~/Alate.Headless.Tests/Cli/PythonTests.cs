@@ -118,7 +118,7 @@ public sealed class PythonTests
 
     [TestCase("force_over_beat", "of the strips")]
     [TestCase("polar", "lift/weight")]
-    [TestCase("own_wing", "flap 114.6°  lift 0.70 of the weight")]
+    [TestCase("own_wing", "flap 114.6°  lift 0.79 of the weight")]
     [Explicit]
     [Category("Long")]
     public void AnExample_FliesAndDraws(string name, string said)
