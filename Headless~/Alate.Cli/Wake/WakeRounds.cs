@@ -76,21 +76,6 @@ internal sealed class WakeRounds : IDisposable
     internal static FlightInflow InflowOf(WakeFlight wake, IReadOnlyList<WakeMoment> beat) => new(
         Enumerable.Range(0, wake.Wings.Count).ToDictionary(
             k => (wake.Wings[k].Wing.Name, wake.Wings[k].Placement.Side),
-            k => new WingInflow
-            {
-                mean = 0.5f * Part(beat, k, 0, Math.Cos),
-                cosine1 = Part(beat, k, 1, Math.Cos),
-                sine1 = Part(beat, k, 1, Math.Sin),
-                cosine2 = Part(beat, k, 2, Math.Cos),
-                sine2 = Part(beat, k, 2, Math.Sin),
-            }));
-
-    // Part of a wing's inflow that goes with a wave: twice the mean of their product.
-    private static float3 Part(IReadOnlyList<WakeMoment> beat, int wing, int harmonic, Func<double, double> wave)
-    {
-        float3 sum = default;
-        foreach (WakeMoment at in beat)
-            sum += (float)(2.0 * wave(2.0 * Math.PI * harmonic * at.Turns) / beat.Count) * at.Wings[wing].Inflow;
-        return sum;
-    }
+            k => beat.Aggregate(default(WingInflow),
+                (sum, at) => sum + WingInflow.Sample(at.Turns, at.Wings[k].Inflow) * (1f / beat.Count))));
 }

@@ -15,9 +15,6 @@ namespace Alate.Flight
         /// <summary>Beats in which the held wings settle.</summary>
         private const int k_SettledBeats = 3;
 
-        /// <summary>Substeps of a beat of the parameters, over those of the wing.</summary>
-        private const double k_Substeps = 1.3;
-
         /// <summary>Departures: velocity (m/s), turn (radians), rate (rad/s), command (units).</summary>
         private const float k_Velocity = 0.05f, k_Turn = 2f * math.PI / 180f, k_Rate = 1f, k_Command = 0.5f;
 
@@ -56,7 +53,7 @@ namespace Alate.Flight
         public static BeatMap Fly(FlightTunnel tunnel, FlightModel model, TrimState trim, in FlightCondition condition)
         {
             double frequency = model.Frequency * trim.z[1];
-            int substeps = (int)Math.Ceiling(k_Substeps * model.Wings[0].Parameters.substepsPerBeat * model.Frequency / frequency);
+            int substeps = FlightTunnel.Substeps(model, frequency);
             float h = (float)(1 / (frequency * substeps));
             Settle(tunnel, trim, condition, substeps, h);
             var map = new BeatMap(1 / frequency);

@@ -9,6 +9,9 @@ namespace Alate.Flight
     /// </summary>
     internal sealed class FlightTunnel : IDisposable
     {
+        /// <summary>Substeps of a beat of the parameters, over those of the wing: what flights of the games' steps take.</summary>
+        private const double k_Substeps = 1.3;
+
         private readonly FlightModel m_Model;
         private readonly WingWorld m_World = new WingWorld();
         private readonly List<Subject> m_Subjects = new List<Subject>();
@@ -27,6 +30,10 @@ namespace Alate.Flight
                 m_Subjects.Add(subject);
             }
         }
+
+        /// <summary>Number of substeps of a beat of some frequency, Hz, with which an insect is measured.</summary>
+        public static int Substeps(FlightModel model, double frequency) =>
+            (int)Math.Ceiling(k_Substeps * model.Wings[0].Parameters.substepsPerBeat * model.Frequency / frequency);
 
         /// <summary>The world of the insects.</summary>
         public WingWorld World => m_World;

@@ -13,9 +13,6 @@ namespace Alate.Flight
         /// <summary>Beats until held wings are settled, and beats that are averaged.</summary>
         private const int k_SettledBeats = 5, k_MeanBeats = 1;
 
-        /// <summary>Substeps of a beat of the parameters, over those of the wing: what flights of the games' steps take.</summary>
-        private const double k_Substeps = 1.3;
-
         /// <summary>Residual that counts as closed.</summary>
         public const double Closed = 0.005;
 
@@ -189,7 +186,7 @@ namespace Alate.Flight
 
             // Insects of different frequencies share the steps: each is averaged over its own beats.
             double frequency = m_Model.Frequency * states[0].z[1];
-            int substeps = (int)Math.Ceiling(k_Substeps * m_Model.Wings[0].Parameters.substepsPerBeat * m_Model.Frequency / frequency);
+            int substeps = FlightTunnel.Substeps(m_Model, frequency);
             float h = (float)(1 / (frequency * substeps));
             var loads = new BeatLoads[states.Length];
             for (int k = 0; k < states.Length; k++)

@@ -16,7 +16,7 @@ namespace Alate
         public static void Evaluate(in WingPack pack, in StepScratch scratch, in ImplicitStep step)
         {
             float4 energy = Seen(pack, scratch);
-            if (pack.options.timeScheme != TimeScheme.BackwardEuler)
+            if (pack.options.timeScheme != TimeScheme.BackwardEuler && !math.all(pack.air->lags > 0f))
                 energy = Settle(pack, scratch, step.dt);
             Read(pack, step.dt, energy);
         }

@@ -60,6 +60,9 @@ namespace Alate
         /// </summary>
         public float3 AirMoment => Readings->airMoment[m_Lane];
 
+        /// <summary>Velocity of the air that the wake has set moving, at the end of the last step, L/s.</summary>
+        internal unsafe float3 WakeVelocity => Current().inflow->velocity[m_Lane];
+
         /// <summary>Power that the wing gives to the air, mean over the last step, wing masses · L²/s³.</summary>
         public float AirPower => Readings->airPower[m_Lane];
 

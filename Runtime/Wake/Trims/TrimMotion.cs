@@ -15,9 +15,6 @@ namespace Alate.Wake
         /// <summary>Beats until the wings are settled in their trim.</summary>
         private const int k_SettledBeats = 6;
 
-        /// <summary>Substeps of a beat of the parameters, over those of the wing: what flights of the games' steps take.</summary>
-        private const double k_Substeps = 1.3;
-
         private readonly FlightModel m_Model;
         private readonly TrimState m_Trim;
         private readonly List<int> m_Right = new List<int>();
@@ -48,7 +45,7 @@ namespace Alate.Wake
 
             double frequency = model.Frequency * trim.FrequencyScale;
             Period = (float)(1.0 / frequency);
-            Fly(condition, (int)Math.Ceiling(k_Substeps * model.Wings[0].Parameters.substepsPerBeat / trim.FrequencyScale));
+            Fly(condition, FlightTunnel.Substeps(model, frequency));
         }
 
         /// <summary>Seconds of a beat.</summary>

@@ -22,15 +22,12 @@ internal sealed record FlightInflow(IReadOnlyDictionary<(string Name, WingSide S
         wing => wing.Key, wing => Wings.GetValueOrDefault(wing.Key) * (1f - share) + wing.Value * share));
 
     /// <summary>Root of the mean square of the velocities over all wings and the beat, m/s.</summary>
-    public double Size => Math.Sqrt(Wings.Values.Average(MeanSquare));
+    public double Size => Math.Sqrt(Wings.Values.Average(wing => wing.MeanSquare));
 
     /// <summary>Size of the difference from another one over the size of this, 1 where there is no other.</summary>
     public double ChangeFrom(FlightInflow other) => other == null || Size == 0.0
         ? 1.0
-        : Math.Sqrt(Wings.Average(wing => MeanSquare(wing.Value + other.Wings.GetValueOrDefault(wing.Key) * -1f))) / Size;
-
-    private static double MeanSquare(WingInflow wing) => math.lengthsq(wing.mean)
-        + 0.5 * (math.lengthsq(wing.cosine1) + math.lengthsq(wing.sine1) + math.lengthsq(wing.cosine2) + math.lengthsq(wing.sine2));
+        : Math.Sqrt(Wings.Average(wing => (wing.Value + other.Wings.GetValueOrDefault(wing.Key) * -1f).MeanSquare)) / Size;
 
     private static WingInflow Mirrored(in WingInflow inflow) => new()
     {

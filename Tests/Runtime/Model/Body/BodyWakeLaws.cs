@@ -54,6 +54,32 @@ namespace Alate.Tests
         }
 
         [Test]
+        public void BothWings_MeetTheSeriesOfTheirPhase_InFlightToo([Values] bool flies)
+        {
+            using var body = new CarriedBody(flies ? BodyMode.Free : BodyMode.Held, PointWith(s_Air));
+            Step(body, 200);
+            foreach (WingHandle wing in new[] { body.right, body.left })
+            {
+                WingReading reading = body.world.Read(wing);
+                Assert.That(math.distance(reading.WakeVelocity, s_Air.At(reading.Phase)), Is.LessThan(1e-3f));
+            }
+        }
+
+        [Test]
+        public void ABodyThatFollowsItsReference_MeetsItToo_OnceItsWingsAreComputedAgain()
+        {
+            using var body = new CarriedBody(BodyMode.Free, PointWith(s_Air));
+            body.world.SetDetail(body.right, WingDetail.WavesOnly);
+            body.world.SetDetail(body.left, WingDetail.WavesOnly);
+            Step(body, 50);
+            body.world.SetDetail(body.right, WingDetail.Full);
+            body.world.SetDetail(body.left, WingDetail.Full);
+            Step(body, 200);
+            WingReading reading = body.world.Read(body.right);
+            Assert.That(math.distance(reading.WakeVelocity, s_Air.At(reading.Phase)), Is.LessThan(1e-3f));
+        }
+
+        [Test]
         public void ARestingBody_MeetsNone()
         {
             using CarriedBody still = new CarriedBody(BodyMode.Held, PointWith(default)),
