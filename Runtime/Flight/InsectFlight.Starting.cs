@@ -181,11 +181,7 @@ namespace Alate.Flight
         {
             if (m_Recorder != null && m_Recorder.HasBegun)
                 m_Recorder.End("the flight has ended or started again");
-            if (m_Table != null)
-                FlightTrims.Return(m_Table);
-            m_Table = null;
-            m_Model?.Dispose();
-            m_Model = null;
+            // First, for it ends the step that may still read the table.
             if (m_World != null && ReferenceEquals(WingSystem.Loop?.World, m_World))
             {
                 m_World.RemoveBody(m_Body);
@@ -197,6 +193,11 @@ namespace Alate.Flight
                 }
             }
 
+            if (m_Table != null)
+                FlightTrims.Return(m_Table);
+            m_Table = null;
+            m_Model?.Dispose();
+            m_Model = null;
             m_Carried?.Release();
             m_Carried = null;
             m_World = null;
