@@ -1,6 +1,7 @@
 using System;
 using Alate.Catalogue;
 using Alate.Flight;
+using Alate.Wake;
 using UnityEditor;
 using UnityEngine;
 
@@ -69,6 +70,7 @@ namespace Alate.Editor
             int points = TrimBake.DefaultSpeeds.Count * TrimBake.DefaultClimbs.Count, told = 0;
             var bake = new TrimBake(model)
             {
+                Wake = new TrimWake(),
                 Log = line =>
                 {
                     tell(line);

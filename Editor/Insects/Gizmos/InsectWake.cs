@@ -140,10 +140,9 @@ namespace Alate.Editor
                             joints[k] /= m_Length;
                     }
 
-                    wings.Add(new WakeWing(FourierMotion.Through(beat, reading.ChainCount, reading.JointsPerChain))
-                    {
-                        Coefficients = insect.Live.wings[wing].values.parameters.options.coefficients,
-                    });
+                    wings.Add(new WakeWing(
+                        FourierMotion.Through(beat, reading.ChainCount, reading.JointsPerChain),
+                        insect.Live.wings[wing].values.parameters.options));
                 }
 
                 m_Wake = new FreeWake(

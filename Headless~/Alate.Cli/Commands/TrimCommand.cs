@@ -29,14 +29,13 @@ internal static class TrimCommand
         {
             Description = "Makes the table of the flight and writes it into the package's sources, or beside the insect file.",
         };
-        var wake = new Option<bool>("--wake")
+        var stillAir = new Option<bool>("--still-air")
         {
-            Description = "With --bake: the wings of each trim meet the air of its own wake, and the air at the end of each substep moves "
-                + "the body.",
+            Description = "With --bake: the wings of each trim meet air at rest, not that of its own wake.",
         };
         var folder = new Option<string>("--out") { HelpName = "DIR", Description = "Where the files go. [default: out/trim]" };
         var command = new Command("trim", "Finds the beat and the attitude that carry an insect at speeds and climbs.") { species, speeds,
-            climbs, bake, wake, folder };
+            climbs, bake, stillAir, folder };
         HelpExamples.Set(command, k_Examples);
         command.SetAction(parsed =>
         {
@@ -46,7 +45,7 @@ internal static class TrimCommand
                 up = List(parsed.GetValue(climbs), TrimBake.DefaultClimbs);
             using FlightModel model = CatalogueFlight.CreateModel(insect);
             if (parsed.GetValue(bake))
-                Bake(insect, KnownSpecies.IsFile(named) ? named : null, model, ahead, up, parsed.GetValue(wake), output);
+                Bake(insect, KnownSpecies.IsFile(named) ? named : null, model, ahead, up, parsed.GetValue(stillAir), output);
             else
                 Survey(insect, model, ahead, up, parsed.GetValue(folder) ?? Path.Combine("out", "trim"), output);
             return 0;
@@ -56,10 +55,10 @@ internal static class TrimCommand
 
     // Into the package's sources, or beside the file of an insect.
     private static void Bake(
-        InsectDefinition insect, string file, FlightModel model, List<float> speeds, List<float> climbs, bool meetsWakes,
+        InsectDefinition insect, string file, FlightModel model, List<float> speeds, List<float> climbs, bool stillAir,
         TextWriter output)
     {
-        var bake = new TrimBake(model) { Log = output.WriteLine, Wake = meetsWakes ? new TrimWake() : null };
+        var bake = new TrimBake(model) { Log = output.WriteLine, Wake = stillAir ? null : new TrimWake() };
         using TrimTable table = bake.Bake(speeds, climbs)
             ?? throw new UserException($"The {insect.DisplayName} does not fly: {bake.Problem}");
         if (file != null)
@@ -72,7 +71,7 @@ internal static class TrimCommand
 
         string source = TrimSource.Write(insect, TrimTableText.Write(table, model.Key),
             Asked("--speeds", speeds, TrimBake.DefaultSpeeds) + Asked("--climbs", climbs, TrimBake.DefaultClimbs)
-                + (meetsWakes ? " --wake" : ""));
+                + (stillAir ? " --still-air" : ""));
         OutputFile.Write(TrimSource.PathOf(insect), stream => stream.Write(Encoding.UTF8.GetBytes(source)));
         output.WriteLine(TrimSource.PathOf(insect));
     }

@@ -204,9 +204,9 @@ internal sealed class WakeFlight : IDisposable
         float3 up = Flight.Plan.UpOfBody;
         Below = Math.Max(Below, -Length * samples.Min(places => places.Min(place => math.dot(place, up))));
         Across = Math.Max(Across, -Length * samples.Min(places => places.Min(place => place.x)));
-        return new WakeWing(FourierMotion.Through(samples, grid.Across, grid.Along, wing.Frames[0].Phase / (2.0 * Math.PI)))
+        return new WakeWing(
+            FourierMotion.Through(samples, grid.Across, grid.Along, wing.Frames[0].Phase / (2.0 * Math.PI)), wing.Parameters.options)
         {
-            Coefficients = wing.Parameters.options.coefficients,
             Downwash = Plan.Downwash,
         };
     }

@@ -21,7 +21,7 @@ namespace Alate.Tests.Cli
         {
             m_Run = new CommandRun();
             int code = m_Run.Run(
-                "fly", "monarch", "--free", "--to", "0.3,0.2,1", "--gust", "0.3,0,0", "--seconds", "4", "--unguarded", "--out", m_Run.Out);
+                "fly", "monarch", "--free", "--to", "0.3,0.2,1", "--gust", "1,0,0", "--seconds", "4", "--unguarded", "--out", m_Run.Out);
             Assert.That(code, Is.Zero, m_Run.Errors);
         }
 

@@ -90,8 +90,6 @@ namespace Alate.Tests.FreeFlights
                 tunnel.World.StepOnce(1f / (200f * 11f));
                 FlyingBody body = tunnel.World.Body(tunnel.Body(0));
                 sums.Read(out Vector force, out Vector moment);
-                if (sums.Steps < 3)
-                    continue;
                 var stream = Vector.Rotate(math.conjugate(body.middleRotation), new Vector(-body.middleVelocity));
                 force += stream.Length * new Vector(stream.X * body.drag.x, stream.Y * body.drag.y, stream.Z * body.drag.z);
                 var read = Vector.Rotate(math.conjugate(body.middleRotation), new Vector(body.force));
@@ -125,8 +123,7 @@ namespace Alate.Tests.FreeFlights
                 impulse += h * Vector.Rotate(math.slerp(before, flight.Rotation, 0.5f), read);
                 most = Math.Max(
                     most, (Spin(insect.Model, flight) - start - impulse).Length / (unit * step * h + unit / insect.Model.Frequency));
-                if (sums.Steps >= 3)
-                    largest = Math.Max(largest, (read - moment).Length / unit);
+                largest = Math.Max(largest, (read - moment).Length / unit);
             }
 
             TestContext.Out.WriteLine(

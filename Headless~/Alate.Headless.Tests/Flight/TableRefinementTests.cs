@@ -51,7 +51,7 @@ namespace Alate.Tests.FreeFlights
         {
             using var insect = new FlyingInsect("monarch");
             TrimTable table = insect.Table;
-            int s = Array.FindIndex(table.Speeds, speed => speed > 0.2f), c = Array.IndexOf(table.ClimbRates, 0.3f);
+            int s = Array.FindIndex(table.Speeds, speed => speed > 0.5f), c = Array.IndexOf(table.ClimbRates, 0.3f);
             var between = new FlightCondition(0.5f * (table.Speeds[s - 1] + table.Speeds[s]), table.ClimbRates[c]);
             Assert.That(table.IsClosed(s - 1, c) && table.IsClosed(s, c));
             Assert.That(TableFlight.Mixes(insect.Model, table, between));

@@ -57,7 +57,7 @@ namespace Alate.Tests.FreeFlights
         }
 
         [Test]
-        public void ABakeWithWakes_MakesATableThatSettles_AndKeepsTheirAir()
+        public void ABakeWithWakes_KeepsTheirAir()
         {
             using var insect = new FlyingInsect("firefly");
             var air = new WingInflow { mean = new float3(0f, -4f, -1f) };
@@ -65,7 +65,7 @@ namespace Alate.Tests.FreeFlights
             using TrimTable table = bake.Bake([1f], [0f]);
             using TrimTable read = TrimTableText.Read(TrimTableText.Write(table, insect.Model.Key), insect.Model.Key);
 
-            Assert.That((table.Settles, read.Settles, insect.Model.Settles), Is.EqualTo((true, true, true)));
+            Assert.That((table.HasWake, read.HasWake), Is.EqualTo((true, true)));
             Assert.That(TrimState.Read(read.Point(0, 0), insect.Model.Frequency).Inflow[0], Is.EqualTo(air));
         }
 
@@ -74,7 +74,6 @@ namespace Alate.Tests.FreeFlights
         public void AFireflysTrim_MeetsItsOwnWake()
         {
             using var insect = new FlyingInsect("firefly");
-            insect.Model.Settles = true;
             using var solver = new TrimSolver(insect.Model);
             TrimState still = solver.Solve(s_Slow, solver.Start(), out _);
             var trims = new WakeTrims(insect.Model, new TrimWake(), solver);

@@ -126,7 +126,7 @@ namespace Alate.Catalogue
 
         private static void Carry(WingPreset preset)
         {
-            preset.Beat.frequencyFloor = preset.Beat.amplitudeFloor = 1f;
+            FlightVariant.Apply(preset);
             preset.Beat.maxFrequency = 33.4f;
             preset.Beat.meanFlap = 12f;
         }

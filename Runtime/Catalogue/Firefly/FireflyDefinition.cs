@@ -82,6 +82,7 @@ namespace Alate.Catalogue
         private static void Fly(WingPreset preset)
         {
             Quicken(preset);
+            FlightVariant.Apply(preset);
             preset.Size.insectMass = 17.5e-6f;
         }
 

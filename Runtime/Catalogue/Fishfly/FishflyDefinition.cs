@@ -125,7 +125,7 @@ namespace Alate.Catalogue
 
         private static void Fly(WingPreset preset)
         {
-            preset.Beat.frequencyFloor = preset.Beat.amplitudeFloor = 1f;
+            FlightVariant.Apply(preset);
             preset.Beat.maxFrequency = 19.5f;
         }
 

@@ -51,7 +51,7 @@ namespace Alate.Catalogue
             preset.SubstepsPerBeat = 24;
         }
 
-        private static void Fly(WingPreset preset) => preset.Beat.frequencyFloor = preset.Beat.amplitudeFloor = 1f;
+        private static void Fly(WingPreset preset) => FlightVariant.Apply(preset);
 
         private static InsectSource[] Sources()
         {

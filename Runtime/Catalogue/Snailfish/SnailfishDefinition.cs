@@ -88,7 +88,7 @@ namespace Alate.Catalogue
 
         private static void Swim(WingPreset preset)
         {
-            preset.Beat.frequencyFloor = preset.Beat.amplitudeFloor = 1f;
+            FlightVariant.Apply(preset);
             preset.Beat.featherRange = 16f;
         }
 

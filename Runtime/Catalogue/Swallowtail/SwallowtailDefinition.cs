@@ -118,7 +118,7 @@ namespace Alate.Catalogue
         private static void Fly(WingPreset preset)
         {
             const float larger = 55f / 45f;
-            preset.Beat.frequencyFloor = preset.Beat.amplitudeFloor = 1f;
+            FlightVariant.Apply(preset);
             preset.Beat.maxFrequency = 14f;
             preset.Size.wingLength *= larger;
             preset.Rest.feet *= larger;

@@ -80,12 +80,6 @@ namespace Alate.Flight
         /// <summary>½ρA along each axis, kg/m.</summary>
         public float3 Drag { get; }
 
-        /// <summary>
-        /// True where trims are looked for with the air at the end of each substep; false where with that of the deformation of the substep
-        /// before. Flights go by what their table was made with.
-        /// </summary>
-        public bool Settles { get; set; }
-
         /// <summary>Number that changes with anything that a trim table of this insect depends on.</summary>
         internal uint Key { get; }
 

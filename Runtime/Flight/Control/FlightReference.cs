@@ -183,7 +183,8 @@ namespace Alate.Flight
 
         /// <summary>
         /// Moves on by a step with an insect that rights itself: fast ahead along its own heading, in the trims that are the steadiest,
-        /// with what it falls as far as they close. From there it flies on as it is told.
+        /// with what it falls as far as they close, and level where it rises: one that climbs as it turns over has no speed left to pull
+        /// out with. From there it flies on as it is told.
         /// </summary>
         /// <param name="body">The insect.</param>
         /// <param name="table">Bounds of speed and climb.</param>
@@ -198,7 +199,7 @@ namespace Alate.Flight
                 Heading = 2f * Elementary.Atan2(q.y, q.w);
             Elementary.SinCos(Heading, out float sin, out float cos);
             table.Climbs(limits.TopSpeed, out float least, out float most);
-            float climb = math.clamp(body.velocity.y - Wind.y, least, most);
+            float climb = math.clamp(body.velocity.y - Wind.y, least, math.min(most, 0f));
             m_Velocity = Wind + new float3(limits.TopSpeed * sin, climb, limits.TopSpeed * cos);
             m_Climb = m_Velocity.y;
             m_Rate = default;

@@ -28,18 +28,14 @@ namespace Alate.Flight
         /// <summary>Receiver of the progress, a line a point; null for none.</summary>
         public Action<string> Log { get; set; }
 
-        /// <summary>
-        /// Wakes whose air the wings meet, each in its own trim; null for air at rest. With them the table settles:
-        /// <see cref="FlightModel.Settles"/>.
-        /// </summary>
+        /// <summary>Wakes whose air the wings meet, each in its own trim; null for air at rest.</summary>
         public ITrimWake Wake { get; set; }
 
         /// <summary>Makes the table.</summary>
         /// <returns>The table; null where the insect holds no point, see <see cref="Problem"/>.</returns>
         public TrimTable Bake(IReadOnlyList<float> speeds = null, IReadOnlyList<float> climbs = null)
         {
-            m_Model.Settles |= Wake != null;
-            var table = new TrimTable(Copy(speeds ?? DefaultSpeeds), Copy(climbs ?? DefaultClimbs)) { Settles = m_Model.Settles };
+            var table = new TrimTable(Copy(speeds ?? DefaultSpeeds), Copy(climbs ?? DefaultClimbs));
             Problem = null;
             try
             {

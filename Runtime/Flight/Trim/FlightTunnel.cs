@@ -22,7 +22,7 @@ namespace Alate.Flight
             m_Model = model;
             for (int k = 0; k < count; k++)
             {
-                var subject = new Subject(model.Settles);
+                var subject = new Subject();
                 FlyingBody body = model.CreateBody();
                 body.mode = BodyMode.Held;
                 body.table = subject.table.View;
@@ -37,6 +37,9 @@ namespace Alate.Flight
 
         /// <summary>The world of the insects.</summary>
         public WingWorld World => m_World;
+
+        /// <summary>Number of insects.</summary>
+        public int Count => m_Subjects.Count;
 
         /// <summary>Wings of an insect, in the order of its model.</summary>
         public IReadOnlyList<WingHandle> Wings(int insect) => m_Subjects[insect].wings;
@@ -104,11 +107,9 @@ namespace Alate.Flight
 
         private sealed class Subject
         {
-            public readonly TrimTableMemory table;
+            public readonly TrimTableMemory table = new TrimTableMemory(new float[1], new float[1]);
             public readonly List<WingHandle> wings = new List<WingHandle>();
             public BodyHandle body;
-
-            public Subject(bool settles) => table = new TrimTableMemory(new float[1], new float[1], settles);
         }
     }
 }

@@ -1,5 +1,4 @@
 using System;
-using System.Numerics;
 using Unity.Mathematics;
 
 namespace Alate.Flight
@@ -10,9 +9,6 @@ namespace Alate.Flight
     /// </summary>
     internal sealed class TrimSolver : IDisposable
     {
-        /// <summary>Beats until held wings are settled, and beats that are averaged.</summary>
-        private const int k_SettledBeats = 5, k_MeanBeats = 1;
-
         /// <summary>Residual that counts as closed.</summary>
         public const double Closed = 0.005;
 
@@ -21,18 +17,23 @@ namespace Alate.Flight
         /// <summary>Residual from which on the body bobs, and iterations after which it does anyway.</summary>
         private const double k_Near = 0.03;
         private const int k_Still = 8;
+
+        /// <summary>Most halvings of a move.</summary>
+        private const int k_Halvings = 3;
+
+        /// <summary>Weight of the way to where the bob settles beside what is left of the balance.</summary>
+        private const double k_BobWeight = 0.1;
         private const double k_Degree = Math.PI / 180;
 
         private static readonly double[] s_Scales = { 15 * k_Degree, 0.08, 0.10, 15 * k_Degree, 10 * k_Degree };
-        private static readonly double[] s_Steps = { 3 * k_Degree, 0.02, 0.03, 3 * k_Degree, 2 * k_Degree };
 
         private readonly FlightModel m_Model;
-        private readonly FlightTunnel m_Tunnel;
+        private readonly TrimSystem m_System;
 
         public TrimSolver(FlightModel model)
         {
             m_Model = model;
-            m_Tunnel = new FlightTunnel(model, TrimState.Unknowns + 1);
+            m_System = new TrimSystem(model);
         }
 
         /// <summary>Trim that solutions stay near to, in place of the preferred beat and attitude; null for none.</summary>
@@ -48,44 +49,57 @@ namespace Alate.Flight
         /// <returns>The best state found.</returns>
         public TrimState Solve(in FlightCondition condition, TrimState start, out double[] residual)
         {
-            TrimState best = null, now = start.Copy();
+            TrimState best = null, now = start.Copy(), previous = null;
             residual = null;
-            double bestNorm = double.PositiveInfinity, lastNorm = double.PositiveInfinity, share = 1;
-            bool bobs = Array.Exists(start.bob, value => value != 0);
-            TrimState previous = null;
-            double[] move = null, nearest = null;
+            double[] nearest = null;
+            double bestNorm = double.PositiveInfinity, nearestNorm = bestNorm, lastAway = bestNorm, pull = 1;
+            bool bobs = !HoldsStill && Array.Exists(start.bob, value => value != 0);
+            int halvings = 0;
             for (int iteration = 0; iteration < k_Iterations; iteration++)
             {
-                double[,] jacobian = Linearise(now, condition, out double[] r, out BeatLoads loads);
-                double norm = Norm(r);
-                bobs |= norm < k_Near || iteration >= k_Still;
-                double change = HoldsStill ? 0 : bobs ? Bob(now, loads) : double.PositiveInfinity;
-                if (norm >= Closed && (nearest == null || norm < Norm(nearest)))
+                m_System.Linearise(now, condition, bobs);
+                double[] r = m_System.Left;
+                double norm = Norm(r), change = bobs || HoldsStill ? m_System.Change : double.PositiveInfinity;
+                if (norm >= Closed && norm < nearestNorm)
+                {
                     nearest = r;
+                    nearestNorm = norm;
+                }
+
                 if (norm < bestNorm && change < 0.05)
                 {
-                    bestNorm = norm;
                     best = now.Copy();
                     residual = r;
+                    bestNorm = norm;
                 }
 
                 if (norm < 0.3 * Closed && change < 0.02)
                     break;
-                if (norm > 1.5 * lastNorm && previous != null && share > 0.2)
+                if (!bobs && !HoldsStill && (norm < k_Near || iteration >= k_Still))
                 {
-                    // Too far: half of the last move, from where it began.
-                    share *= 0.5;
-                    for (int k = 0; k < now.z.Length; k++)
-                        now.z[k] = previous.z[k] + share * move[k];
+                    bobs = true;
+                    lastAway = double.PositiveInfinity;
                     continue;
                 }
 
-                lastNorm = norm;
-                share = 1;
+                double away = norm + k_BobWeight * m_System.Change;
+                if (away > 1.5 * lastAway && halvings < k_Halvings)
+                {
+                    // Too far: half of the last move, and from now on less towards what is preferred.
+                    halvings++;
+                    pull *= HoldsStill ? 1 : 0.5;
+                    now = TrimState.Between(previous, now);
+                    continue;
+                }
+
+                lastAway = away;
+                halvings = 0;
                 previous = now.Copy();
-                move = Move(now, condition, jacobian, r);
+                double[] move = Move(now, Preferred(condition, now, pull), m_System.Slope, m_System.Settled);
                 for (int k = 0; k < now.z.Length; k++)
                     now.z[k] += move[k];
+                if (bobs)
+                    m_System.Follow(now, move);
             }
 
             // What is missing is told of a body that bobs on and on too.
@@ -138,127 +152,14 @@ namespace Alate.Flight
         /// <param name="state">The state.</param>
         /// <param name="condition">Steady flight.</param>
         /// <param name="power">Mean power that the wings give to the air, W.</param>
-        public double[] Residual(TrimState state, in FlightCondition condition, out double power)
-        {
-            BeatLoads[] loads = Fly(new[] { state }, condition);
-            power = loads[0].power;
-            return Residual(loads[0], condition);
-        }
+        public double[] Residual(TrimState state, in FlightCondition condition, out double power) =>
+            m_System.Residual(state, condition, out power);
 
-        public void Dispose() => m_Tunnel.Dispose();
-
-        private double[,] Linearise(TrimState at, in FlightCondition condition, out double[] r, out BeatLoads loads)
-        {
-            var states = new TrimState[TrimState.Unknowns + 1];
-            states[0] = at;
-            for (int k = 0; k < TrimState.Unknowns; k++)
-            {
-                states[k + 1] = at.Copy();
-                bool down = at.z[k] + s_Steps[k] > TrimState.Most(k);
-                states[k + 1].z[k] += down ? -s_Steps[k] : s_Steps[k];
-            }
-
-            BeatLoads[] all = Fly(states, condition);
-            loads = all[0];
-            r = Residual(loads, condition);
-            double[,] jacobian = new double[3, TrimState.Unknowns];
-            for (int k = 0; k < TrimState.Unknowns; k++)
-            {
-                double[] moved = Residual(all[k + 1], condition);
-                for (int q = 0; q < 3; q++)
-                    jacobian[q, k] = (moved[q] - r[q]) / (states[k + 1].z[k] - at.z[k]);
-            }
-
-            return jacobian;
-        }
-
-        private double[] Residual(BeatLoads loads, in FlightCondition condition)
-        {
-            double unit = m_Model.TrimForce(condition), carried = m_Model.Weight * m_Model.GravityShare;
-            return new[] { (loads.mean[0] - carried) / unit, loads.mean[1] / unit, -loads.mean[2] / (unit * m_Model.Length) };
-        }
-
-        private BeatLoads[] Fly(TrimState[] states, in FlightCondition condition)
-        {
-            for (int k = 0; k <= TrimState.Unknowns; k++)
-                m_Tunnel.Set(k, states[Math.Min(k, states.Length - 1)], condition);
-            m_Tunnel.Restart();
-
-            // Insects of different frequencies share the steps: each is averaged over its own beats.
-            double frequency = m_Model.Frequency * states[0].z[1];
-            int substeps = FlightTunnel.Substeps(m_Model, frequency);
-            float h = (float)(1 / (frequency * substeps));
-            var loads = new BeatLoads[states.Length];
-            for (int k = 0; k < states.Length; k++)
-                loads[k] = new BeatLoads();
-            int steps = (int)Math.Ceiling((k_SettledBeats + k_MeanBeats) * substeps / 0.98) + 1;
-            for (int step = 0; step < steps; step++)
-            {
-                m_Tunnel.World.StepOnce(h);
-                for (int k = 0; k < states.Length; k++)
-                {
-                    double turn = 2 * Math.PI * states[k].z[1] * m_Model.Frequency * h;
-                    double end = (step + 1) * turn / (2 * Math.PI), begin = end - turn / (2 * Math.PI);
-                    double inside = Math.Min(end, k_SettledBeats + k_MeanBeats) - Math.Max(begin, k_SettledBeats);
-                    if (inside > 1e-9)
-                        loads[k].Add(m_Tunnel.World.Body(m_Tunnel.Body(k)), (step + 0.5) * turn, inside / k_MeanBeats);
-                }
-            }
-
-            return loads;
-        }
-
-        // Motion of the body under the harmonics of the beat's forces, by their mean damping: (ikω M + K) x' = F + K x. Returns the largest
-        // change over a typical size.
-        private double Bob(TrimState state, BeatLoads loads)
-        {
-            double omega = 2 * Math.PI * m_Model.Frequency * state.z[1], change = 0;
-            double[] masses = { m_Model.Mass, m_Model.Mass, m_Model.Inertia.c0.x };
-            double[] typical = { 0.3, 0.3, 15 };
-            for (int k = 0; k < TrimPoint.Harmonics; k++)
-            {
-                var system = new Complex[3, 4];
-                var old = new Complex[3];
-                for (int q = 0; q < 3; q++)
-                {
-                    int at = 2 * ((q == 2 ? 3 : q) * TrimPoint.Harmonics + k);
-                    old[q] = new Complex(state.bob[at], -state.bob[at + 1]);
-                }
-
-                for (int q = 0; q < 3; q++)
-                {
-                    system[q, 3] = loads.harmonics[k, q];
-                    for (int p = 0; p < 3; p++)
-                    {
-                        system[q, p] = loads.damping[q, p];
-                        system[q, 3] += loads.damping[q, p] * old[p];
-                    }
-
-                    system[q, q] += new Complex(0, (k + 1) * omega * masses[q]);
-                }
-
-                Complex[] solved = Dense.Solve(system);
-                for (int q = 0; q < 3; q++)
-                {
-                    int at = 2 * ((q == 2 ? 3 : q) * TrimPoint.Harmonics + k);
-                    change = Math.Max(change, (solved[q] - old[q]).Magnitude / typical[q]);
-                    state.bob[at] = solved[q].Real;
-                    state.bob[at + 1] = -solved[q].Imaginary;
-                }
-
-                Complex turn = solved[2] / new Complex(0, (k + 1) * omega);
-                int turned = 2 * (2 * TrimPoint.Harmonics + k);
-                state.bob[turned] = turn.Real;
-                state.bob[turned + 1] = -turn.Imaginary;
-            }
-
-            return change;
-        }
+        public void Dispose() => m_System.Dispose();
 
         // min Σ((z + d − preferred)/scale)² with r + J d = 0, unknowns at their bounds held.
-        private double[] Move(TrimState now, in FlightCondition condition, double[,] jacobian, double[] r)
+        private double[] Move(TrimState now, double[] preferred, double[,] jacobian, double[] r)
         {
-            double[] preferred = Preferred(condition);
             bool[] held = new bool[TrimState.Unknowns];
             double[] move = new double[TrimState.Unknowns];
             for (int round = 0; round < TrimState.Unknowns - 2; round++)
@@ -320,6 +221,15 @@ namespace Alate.Flight
                 for (int q = 0; q < 3; q++)
                     move[k] += s_Scales[k] * s_Scales[k] * jacobian[q, k] * lambda[q];
             }
+        }
+
+        // The more often a move went too far, the less it goes towards what is preferred.
+        private double[] Preferred(in FlightCondition condition, TrimState now, double pull)
+        {
+            double[] preferred = (double[])Preferred(condition).Clone();
+            for (int k = 0; k < preferred.Length; k++)
+                preferred[k] = now.z[k] + pull * (preferred[k] - now.z[k]);
+            return preferred;
         }
 
         // Pitch and tilt by speed; own frequency and amplitude, no sweep.

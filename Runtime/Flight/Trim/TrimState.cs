@@ -104,6 +104,17 @@ namespace Alate.Flight
             return copy;
         }
 
+        /// <summary>The state in the middle between two, in the air of the second.</summary>
+        internal static TrimState Between(TrimState first, TrimState second)
+        {
+            TrimState middle = second.Copy();
+            for (int k = 0; k < middle.z.Length; k++)
+                middle.z[k] = 0.5 * (first.z[k] + second.z[k]);
+            for (int k = 0; k < middle.bob.Length; k++)
+                middle.bob[k] = 0.5 * (first.bob[k] + second.bob[k]);
+            return middle;
+        }
+
         /// <summary>Least and most of an unknown.</summary>
         internal static double Least(int unknown) => s_Least[unknown];
 

@@ -43,12 +43,6 @@ namespace Alate.Flight
             }
         }
 
-        /// <summary>
-        /// True where bodies that fly by the table are moved by the air at the end of each substep; false where by that of the deformation
-        /// of the substep before, as the tables of version 1 were made for.
-        /// </summary>
-        public bool Settles { get; internal set; }
-
         /// <summary>True where a point says what air its wake sets moving at the wings.</summary>
         public bool HasWake
         {
@@ -111,7 +105,7 @@ namespace Alate.Flight
             {
                 if (m_Memory == null)
                 {
-                    m_Memory = new TrimTableMemory(Speeds, ClimbRates, Settles);
+                    m_Memory = new TrimTableMemory(Speeds, ClimbRates);
                     for (int s = 0; s < Speeds.Length; s++)
                     {
                         for (int c = 0; c < ClimbRates.Length; c++)
@@ -170,7 +164,7 @@ namespace Alate.Flight
         internal TrimTable WithSpeed(float speed)
         {
             float[] speeds = With(Speeds, speed, out int added);
-            var table = new TrimTable(speeds, ClimbRates) { Settles = Settles };
+            var table = new TrimTable(speeds, ClimbRates);
             for (int k = 0; k < m_Points.Length; k++)
                 Give(table, k / ClimbRates.Length, k % ClimbRates.Length, added, int.MaxValue);
             return table;
@@ -180,7 +174,7 @@ namespace Alate.Flight
         internal TrimTable WithClimb(float climb)
         {
             float[] climbs = With(ClimbRates, climb, out int added);
-            var table = new TrimTable(Speeds, climbs) { Settles = Settles };
+            var table = new TrimTable(Speeds, climbs);
             for (int k = 0; k < m_Points.Length; k++)
                 Give(table, k / ClimbRates.Length, k % ClimbRates.Length, int.MaxValue, added);
             return table;

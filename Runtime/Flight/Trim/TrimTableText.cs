@@ -6,11 +6,8 @@ namespace Alate.Flight
     /// <summary>A trim table as a line of text, small enough for a source file: base 64 of a header and the points' numbers.</summary>
     internal static class TrimTableText
     {
-        /// <summary>
-        /// Version of tables of the air with which loads are made, and of those of the air at the end of each substep and of the wakes;
-        /// tables of another one are made again.
-        /// </summary>
-        public const int Version = 1, SettledVersion = 2;
+        /// <summary>Version; tables of another one are made again.</summary>
+        public const int Version = 2;
 
         /// <summary>Writes a table.</summary>
         /// <param name="table">The table.</param>
@@ -19,8 +16,7 @@ namespace Alate.Flight
         {
             using var stream = new MemoryStream();
             using var writer = new BinaryWriter(stream);
-            int version = table.Settles ? SettledVersion : Version, floats = FloatsOf(version);
-            writer.Write(version);
+            writer.Write(Version);
             writer.Write(key);
             writer.Write((byte)table.Speeds.Length);
             writer.Write((byte)table.ClimbRates.Length);
@@ -33,7 +29,7 @@ namespace Alate.Flight
                 for (int c = 0; c < table.ClimbRates.Length; c++)
                 {
                     writer.Write(table.IsClosed(s, c));
-                    for (int k = 0; table.IsClosed(s, c) && k < floats; k++)
+                    for (int k = 0; table.IsClosed(s, c) && k < TrimPoint.Floats; k++)
                         writer.Write(table.Point(s, c)[k]);
                 }
             }
@@ -51,14 +47,13 @@ namespace Alate.Flight
             try
             {
                 using var reader = new BinaryReader(new MemoryStream(Convert.FromBase64String(text ?? "")));
-                int version = reader.ReadInt32(), floats = FloatsOf(version);
-                if (version != Version && version != SettledVersion || reader.ReadUInt32() != key)
+                if (reader.ReadInt32() != Version || reader.ReadUInt32() != key)
                     return null;
                 float[] speeds = new float[reader.ReadByte()];
                 float[] climbs = new float[reader.ReadByte()];
-                Fill(reader, speeds, speeds.Length);
-                Fill(reader, climbs, climbs.Length);
-                var table = new TrimTable(speeds, climbs) { Settles = version == SettledVersion };
+                Fill(reader, speeds);
+                Fill(reader, climbs);
+                var table = new TrimTable(speeds, climbs);
                 for (int s = 0; s < speeds.Length; s++)
                 {
                     for (int c = 0; c < climbs.Length; c++)
@@ -66,7 +61,7 @@ namespace Alate.Flight
                         if (!reader.ReadBoolean())
                             continue;
                         float[] point = new float[TrimPoint.Floats];
-                        Fill(reader, point, floats);
+                        Fill(reader, point);
                         table.Set(s, c, point);
                     }
                 }
@@ -79,11 +74,9 @@ namespace Alate.Flight
             }
         }
 
-        private static int FloatsOf(int version) => version == Version ? TrimPoint.OwnFloats : TrimPoint.Floats;
-
-        private static void Fill(BinaryReader reader, float[] values, int count)
+        private static void Fill(BinaryReader reader, float[] values)
         {
-            for (int k = 0; k < count; k++)
+            for (int k = 0; k < values.Length; k++)
                 values[k] = reader.ReadSingle();
         }
     }

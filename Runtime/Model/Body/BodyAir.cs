@@ -26,14 +26,9 @@ namespace Alate
                 hinge = wing.ToWing(wing.hinge) * inverse,
                 gravity = wing.ToWing(math.mul(toBody, body.gravity)) * (inverse * wing.gravityShare),
             };
-            float lags = body.table.settles != 0 ? 0f : 1f;
             pack.surroundings->Set(wing.lane, around);
-            pack.air->lags[wing.lane] = lags;
             for (int lane = wing.firstCopy; lane < wing.endCopy; lane++)
-            {
                 pack.surroundings->Set(lane, around);
-                pack.air->lags[lane] = lags;
-            }
         }
 
         /// <summary>Adds the air of a wing.</summary>

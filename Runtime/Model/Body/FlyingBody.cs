@@ -6,7 +6,7 @@ namespace Alate
     /// A body that its wings carry: what it is, how it moves, what it follows. SI units; world axes unless said otherwise.
     /// </summary>
     /// <remarks>
-    /// 688 bytes a body: what it is, how it moves and what its feedback remembers in one piece, because a substep of one body reads most of
+    /// 680 bytes a body: what it is, how it moves and what its feedback remembers in one piece, because a substep of one body reads most of
     /// it. Bodies are few beside wings, and each turns differently: they are not laid out in lanes.
     /// </remarks>
     internal unsafe struct FlyingBody

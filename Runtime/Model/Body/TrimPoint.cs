@@ -36,16 +36,13 @@ namespace Alate
         /// <summary>Offsets of the gains, [command][state], commands in units of <see cref="FlightCommands"/>.</summary>
         public const int LongGains = Bob + 2 * Harmonics * Bobbing, SideGains = LongGains + LongCommands * LongStates;
 
-        /// <summary>Floats of a point without the air of its wake.</summary>
-        public const int OwnFloats = SideGains + SideCommands * SideStates;
-
         /// <summary>Most pairs of wings whose wake a table holds, and floats of the air of one.</summary>
         public const int Pairs = 2, InflowFloats = 15;
 
         /// <summary>
         /// Offset of the air that the wake sets moving at each pair of wings, [pair] <see cref="WingInflow"/>, wing lengths per second.
         /// </summary>
-        public const int Inflow = OwnFloats;
+        public const int Inflow = SideGains + SideCommands * SideStates;
 
         /// <summary>Floats of a point.</summary>
         public const int Floats = Inflow + Pairs * InflowFloats;

@@ -10,7 +10,7 @@ namespace Alate
         private float* m_Block;
 
         /// <summary>Allocates a table for a grid, all zeros.</summary>
-        public TrimTableMemory(float[] speeds, float[] climbs, bool settles = false)
+        public TrimTableMemory(float[] speeds, float[] climbs)
         {
             int count = speeds.Length + climbs.Length + speeds.Length * climbs.Length * TrimPoint.Floats + 1;
             m_Block = (float*)UnsafeUtility.MallocTracked((long)count * sizeof(float), 64, Allocator.Persistent, 0);
@@ -21,7 +21,6 @@ namespace Alate
                 climbs = m_Block + speeds.Length,
                 points = m_Block + speeds.Length + climbs.Length,
                 wake = m_Block + (count - 1),
-                settles = settles ? 1 : 0,
                 speedCount = speeds.Length,
                 climbCount = climbs.Length,
             };

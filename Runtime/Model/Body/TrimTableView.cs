@@ -16,9 +16,6 @@ namespace Alate
 
         public int speedCount, climbCount;
 
-        /// <summary>1 where the air at the end of a substep moves the body, 0 where it is that which the loads were made with.</summary>
-        public int settles;
-
         /// <summary>True where the table says what air the wings meet.</summary>
         public readonly bool HasWake => *wake != 0f;
 

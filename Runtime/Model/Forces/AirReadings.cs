@@ -16,7 +16,7 @@ namespace Alate
         public static void Evaluate(in WingPack pack, in StepScratch scratch, in ImplicitStep step)
         {
             float4 energy = Seen(pack, scratch);
-            if (pack.options.timeScheme != TimeScheme.BackwardEuler && !math.all(pack.air->lags > 0f))
+            if (pack.options.timeScheme != TimeScheme.BackwardEuler)
                 energy = Settle(pack, scratch, step.dt);
             Read(pack, step.dt, energy);
         }
@@ -45,14 +45,13 @@ namespace Alate
         private static float4 Settle(in WingPack pack, in StepScratch scratch, float4 dt)
         {
             var rates = new EndRates(pack, dt);
-            float4 settles = 1f - pack.air->lags;
             SoaFloat3 force = default, moment = default;
             float4 power = 0f, energy = 0f;
             for (int joint = 0; joint < pack.rig.jointCount; joint++)
             {
                 SoaFloat3 load = scratch.airForces[joint], position = scratch.pose[joint].position;
                 SoaFloat3 normal = scratch.carriedFrames[joint].c1;
-                SoaFloat3 faster = (rates.Of(pack, scratch, joint) - pack.motions[joint].velocity) * settles;
+                SoaFloat3 faster = rates.Of(pack, scratch, joint) - pack.motions[joint].velocity;
                 SoaFloat3 given = normal * (-scratch.airDamping[joint] * SoaFloat3.Dot(normal, faster));
                 SoaFloat3 velocity = scratch.drivenVelocities[joint] + pack.motions[joint].velocity + faster;
                 force += given;
@@ -64,7 +63,7 @@ namespace Alate
             }
 
             pack.air->force += force;
-            pack.air->moment += (moment + SoaFloat3.Cross(pack.surroundings->hinge, force)) * settles;
+            pack.air->moment += moment + SoaFloat3.Cross(pack.surroundings->hinge, force);
             pack.air->power += power;
             return energy;
         }

@@ -18,11 +18,6 @@ namespace Alate
         public float4 power;
 
         /// <summary>
-        /// 1 for a wing whose body flies by a table that was made with the air of the deformation of the substep before, else 0.
-        /// </summary>
-        public float4 lags;
-
-        /// <summary>
         /// K, what a unit of velocity and of angular velocity takes away: force against velocity, force against turning, moment against
         /// turning.
         /// </summary>

@@ -53,11 +53,19 @@ namespace Alate
         /// <summary>The wing whose beat a body's feedback goes by.</summary>
         public WingEntry FirstWing(BodyHandle body) => m_Entries[body.index].wings[0];
 
+        /// <summary>Lets the wings of a body meet the air of a trim's wake.</summary>
+        public unsafe void MeetWake(BodyHandle body, float* point)
+        {
+            BodyEntry entry = m_Entries[body.index];
+            for (int k = 0; k < entry.wings.Count; k++)
+                entry.wings[k].Meet(BodyWake.At(point, entry.places[k].pair));
+        }
+
         /// <summary>Takes a body out; its wings carry nothing.</summary>
         public void Remove(BodyHandle body)
         {
             foreach (WingEntry wing in m_Entries[body.index].wings)
-                wing.body = 0;
+                wing.LeaveBody();
             m_Entries[body.index] = null;
             m_Bodies[body.index] = default;
             m_Free.Push(body.index);
@@ -72,7 +80,7 @@ namespace Alate
             int at = entry.wings.IndexOf(wing);
             entry.wings.RemoveAt(at);
             entry.places.RemoveAt(at);
-            wing.body = 0;
+            wing.LeaveBody();
         }
 
         /// <summary>Returns true where there is such a body.</summary>

@@ -182,7 +182,6 @@ namespace Alate
         {
             pack.substepLength /= pack.substeps;
             PackSlots.Begin(ref pack);
-            pack.air->lags = default;
             pack.readings->airForce = default;
             pack.readings->airMoment = default;
             pack.readings->airPower = default;

@@ -80,6 +80,23 @@ namespace Alate
                 tangents = new NativeArray<float4>(rig.VertexCount, Allocator.Persistent);
         }
 
+        /// <summary>Lets the wing carry no body: it meets the inflow of its own parameters again, not that of a body's table.</summary>
+        public void LeaveBody()
+        {
+            body = 0;
+            Meet(parameters.inflow);
+        }
+
+        /// <summary>Lets the wing meet an inflow, which sets in as the wings beat.</summary>
+        public unsafe void Meet(in WingInflow inflow)
+        {
+            for (int to = 0; pack != null && to < WingPack.Lanes; to++)
+            {
+                if (pack.Writes(lane, to))
+                    pack.view.inflow->Set(to, inflow);
+            }
+        }
+
         public void Dispose()
         {
             GrowingArray.Free(ref vertices);

@@ -89,6 +89,8 @@ namespace Alate
             body.table.Read(body.reference.airSpeed, body.reference.climb, point);
             BodyMotion.PlaceOnBob(ref body, point, wing.Phase, 2f * math.PI * wing.Frequency, body.reference.velocity);
             body.knowsMasses = 0;
+            if (body.table.HasWake)
+                m_Bodies.MeetWake(handle, point);
         }
 
         /// <summary>Sets a body's last command, in units.</summary>

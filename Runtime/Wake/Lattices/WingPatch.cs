@@ -8,6 +8,9 @@ namespace Alate.Wake
         /// <summary>Its middle, and how that moves.</summary>
         public float3 place, motion;
 
+        /// <summary>Velocity of the chord a quarter of its length ahead of its middle, less that of the middle.</summary>
+        public float3 turning;
+
         /// <summary>Unit vectors across it, and in it from the root to the tip.</summary>
         public float3 normal, span;
 

@@ -50,15 +50,18 @@ namespace Alate.Wake
             m_Motion.Evaluate(beats, m_Places, m_Corners, m_Velocities);
             for (int row = 0; row < m_Rows; row++)
             {
+                float3 turning = 0.5f * (Turning(row) + Turning(row + 1));
                 for (int i = 0; i < k_Across; i++)
-                    All[row * k_Across + i] = Patch(Corner(row, i));
+                    All[row * k_Across + i] = Patch(Corner(row, i), turning);
             }
         }
+
+        private float3 Turning(int row) => 0.25f * (m_Velocities[Corner(row, 0)] - m_Velocities[Corner(row, k_Across)]);
 
         private static int Corner(int row, int i) => row * (k_Across + 1) + i;
 
         // The span is across the chord, not along a row of patches: on a broad wing the middles of the chords lie on a slanted line.
-        private WingPatch Patch(int corner)
+        private WingPatch Patch(int corner, float3 turning)
         {
             int behind = corner + 1, outer = corner + k_Across + 1, opposite = outer + 1;
             float3 a = m_Corners[corner], b = m_Corners[behind], c = m_Corners[outer], d = m_Corners[opposite];
@@ -67,6 +70,7 @@ namespace Alate.Wake
             {
                 place = 0.25f * (a + b + c + d),
                 motion = 0.25f * (m_Velocities[corner] + m_Velocities[behind] + m_Velocities[outer] + m_Velocities[opposite]),
+                turning = turning,
                 normal = normal,
                 span = math.normalizesafe(math.cross(normal, b + d - a - c)),
                 area = math.length(vector),

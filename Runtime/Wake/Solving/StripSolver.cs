@@ -257,6 +257,13 @@ namespace Alate.Wake
             float across = math.dot(met.stream, patch.normal), square = math.lengthsq(met.stream);
             if (square < 1e-12f)
                 return met;
+            if (m_Wings[wing].Wing.AttachedRotation)
+            {
+                met.stream += (1f - across * across / square) * math.dot(patch.turning, patch.normal) * patch.normal;
+                across = math.dot(met.stream, patch.normal);
+                square = math.lengthsq(met.stream);
+            }
+
             float speed = math.sqrt(square), angle = math.asin(math.min(math.abs(across) / speed, 1f));
             m_Polars[wing].Evaluate(angle, out float lift, out float drag, out float outer);
             float3 along = met.stream / speed;

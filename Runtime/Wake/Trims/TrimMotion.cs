@@ -86,10 +86,9 @@ namespace Alate.Wake
 
             for (int k = 0; k < m_Right.Count; k++)
             {
-                m_Wings.Add(new WakeWing(FourierMotion.Through(samples[k], m_Grids[k].Across, m_Grids[k].Along, start))
-                {
-                    Coefficients = m_Model.Wings[m_Right[k]].Parameters.options.coefficients,
-                });
+                m_Wings.Add(new WakeWing(
+                    FourierMotion.Through(samples[k], m_Grids[k].Across, m_Grids[k].Along, start),
+                    m_Model.Wings[m_Right[k]].Parameters.options));
             }
         }
 

@@ -15,7 +15,6 @@ internal static class TrimmedFlight
         using TrimTable table = TableOf(insect, model);
         if (plan.Substeps is int substeps)
             Refine(model, _ => substeps);
-        model.Settles = true;
         using var solver = new TrimSolver(model) { HoldsStill = true };
         var condition = new FlightCondition((float)plan.Speed, (float)plan.Climb);
         var start = TrimState.Read(table.PointNear(condition.Speed, condition.Climb), model.Frequency);

@@ -11,7 +11,7 @@ internal sealed class WakeStepper : IDisposable
     private readonly int m_Beat, m_Panels;
     private readonly bool m_IsSymmetric;
     private readonly double m_Density;
-    private readonly CoefficientSet[] m_Coefficients;
+    private readonly ModelOptions[] m_Options;
     private readonly FlownWing[] m_Motions;
     private FreeWake m_Wake;
     private bool m_Fails;
@@ -25,7 +25,7 @@ internal sealed class WakeStepper : IDisposable
         (m_Beat, m_Panels, m_IsSymmetric) = (beat, panels, isSymmetric);
         Length = wings.Max(wing => wing.Placement.Length);
         m_Density = wings[0].Wing.Preset.Size.fluidDensity;
-        m_Coefficients = [.. wings.Select(wing => wing.Parameters.options.coefficients)];
+        m_Options = [.. wings.Select(wing => wing.Parameters.options)];
         m_Motions = [.. wings.Select(_ => new FlownWing(beat, WakeGrid.Edges, panels + 1))];
     }
 
@@ -88,6 +88,6 @@ internal sealed class WakeStepper : IDisposable
             Viscosity = (float)(WakeFluid.ViscosityOf((float)m_Density) * period / (Length * Length)),
             OnOneThread = true,
         };
-        return new FreeWake(settings, m_Motions.Select((motion, k) => new WakeWing(motion) { Coefficients = m_Coefficients[k] }).ToList());
+        return new FreeWake(settings, m_Motions.Select((motion, k) => new WakeWing(motion, m_Options[k])).ToList());
     }
 }

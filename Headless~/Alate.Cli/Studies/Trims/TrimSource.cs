@@ -19,7 +19,8 @@ internal static class TrimSource
         source.Append("namespace Alate.Catalogue\n{\n");
         string summary = $"Trim table of the {insect.DisplayName.ToLowerInvariant()}, made by the command line: "
             + $"trim {insect.Name} --bake{options}.", line = $"    /// <summary>{summary}</summary>\n";
-        source.Append(line.Length <= k_Line + 1 ? line : $"    /// <summary>\n    /// {summary}\n    /// </summary>\n");
+        string lines = $"    /// <summary>\n    /// {summary}\n    /// </summary>\n".Replace(": trim ", ":\n    /// trim ");
+        source.Append(line.Length <= k_Line + 1 ? line : lines);
         source.Append($"    internal static class {NameOf(insect)}\n    {{\n        public const string Text =\n");
         for (int at = 0; at < text.Length; at += k_Columns)
         {

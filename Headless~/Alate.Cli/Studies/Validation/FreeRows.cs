@@ -118,7 +118,7 @@ internal static class FreeRows
             yield return (Text($"{speed:0.0} m/s"), HalfStrokes.Fly(species, speed, k_Substeps));
         foreach ((string changed, TrimChange change) in new (string, TrimChange)[]
         {
-            ("the body held still in its trim", new()), ("held still, in the even downwash of momentum theory", new() { Inflow = true }),
+            ("the body held still in its trim", new()), ("held still, trimmed in air at rest", new() { StillAir = true }),
             ("held still, trimmed with the drag of a dragonfly's wing", new() { Coefficients = CoefficientSet.Dragonfly }),
             ("held still, trimmed for twice the mass", new() { Mass = 2 }),
             ("held still, trimmed for twice the mass with the drag of a dragonfly's wing",

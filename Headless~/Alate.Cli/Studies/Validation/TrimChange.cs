@@ -14,8 +14,8 @@ internal sealed record TrimChange
     /// <summary>Lift and drag of the wings for which it is trimmed; null for the preset's.</summary>
     public CoefficientSet? Coefficients { get; init; }
 
-    /// <summary>True where the wings beat in the even downwash of momentum theory, once it is trimmed.</summary>
-    public bool Inflow { get; init; }
+    /// <summary>True where it is trimmed in air at rest; false in the air of the wake of its table.</summary>
+    public bool StillAir { get; init; }
 
     /// <summary>Trims and flies; angles and forces are not numbers where the trim does not close.</summary>
     /// <param name="species">Name.</param>
@@ -39,6 +39,8 @@ internal sealed record TrimChange
         using var solver = new TrimSolver(model) { HoldsStill = true };
         var condition = new FlightCondition(speed, 0f);
         var start = TrimState.Read(table.PointNear(condition.Speed, condition.Climb), own.Frequency);
+        if (StillAir)
+            Array.Clear(start.inflow);
         TrimState trim = solver.Solve(condition, start, out double[] residual);
         if (TrimSolver.Norm(residual) >= TrimSolver.Closed)
             return new HalfStrokes(double.NaN, double.NaN, double.NaN, double.NaN, double.NaN, double.NaN, double.NaN);
@@ -52,7 +54,8 @@ internal sealed record TrimChange
             Substeps = substeps,
             RecordsAir = true,
             Coefficients = Coefficients,
-            Induced = Inflow ? new InducedFlow(1) : null,
+            Inflow = new FlightInflow(insect.Wings.Select((wing, pair) => (wing.Name, Air: trim.Inflow[pair] * own.Wings[2 * pair].Length))
+                .ToDictionary(wing => (wing.Name, WingSide.Right), wing => wing.Air)),
         }), model.Weight);
     }
 }

@@ -8,8 +8,9 @@ internal static class ValidationPage
         + "holds how they bent; lift and drag coefficients measured on dragonflies ([Dragonfly](wing-preset.md#options)); each wing in "
         + "the free [wake](wake.md) of all by strips, 24 steps of a beat and ten strips, twice as many of both beside twice the "
         + "substeps. No induced flow besides, no added mass.\n"
-        + "- **Butterflies, moth, firefly**: [free flight](flight.md) by their own wings, variant *flight*, no aid, air at rest; wings "
-        + "that bend, coefficients of the preset; no wake.\n"
+        + "- **Butterflies, moth, firefly**: [free flight](flight.md) by their own wings, variant *flight*, no aid, no wind; wings "
+        + "that bend and meet the air of their wakes, as the trim table has it; coefficients of the preset, rotation where the flow is "
+        + "attached.\n"
         + "- **Monarch held**: the standard wings that bend, nose up by 30°, as it flies.\n";
 
     private const string k_Sizes = "The dragonfly's rows are flown with the catalogue's wings at the published lengths; the density of "

@@ -67,15 +67,13 @@ namespace Alate.Tests.Flight
         }
 
         [Test]
-        public void ATable_IsTheSameAfterItsText([Values] bool settles)
+        public void ATable_IsTheSameAfterItsText([Values] bool hasWake)
         {
-            using TrimTable table = Table(out _, settles);
+            using TrimTable table = Table(out _, hasWake);
             table.Open(2, 0);
             string text = TrimTableText.Write(table, 17);
             using TrimTable read = TrimTableText.Read(text, 17);
-            Assert.That((read.Settles, read.HasWake), Is.EqualTo((settles, settles)), "with the air of its wakes, or as before");
-            Assert.That(read.View.settles, Is.EqualTo(settles ? 1 : 0));
-            Assert.That(read.View.HasWake, Is.EqualTo(settles));
+            Assert.That((read.HasWake, read.View.HasWake), Is.EqualTo((hasWake, hasWake)));
             Assert.That(read.Speeds, Is.EqualTo(s_Speeds));
             Assert.That(read.ClimbRates, Is.EqualTo(s_Climbs));
             for (int s = 0; s < 3; s++)
@@ -284,15 +282,15 @@ namespace Alate.Tests.Flight
             }
         }
 
-        private static TrimTable Table(out float[][] points, bool settles = false)
+        private static TrimTable Table(out float[][] points, bool hasWake = false)
         {
-            var table = new TrimTable(s_Speeds, s_Climbs) { Settles = settles };
+            var table = new TrimTable(s_Speeds, s_Climbs);
             points = new float[9][];
             for (int k = 0; k < 9; k++)
             {
                 points[k] = new float[TrimPoint.Floats];
                 TrimState state = State((uint)k + 1);
-                state.inflow[k % TrimPoint.Pairs].sine2.y = settles ? k + 1f : 0f;
+                state.inflow[k % TrimPoint.Pairs].sine2.y = hasWake ? k + 1f : 0f;
                 state.Write(points[k], 11f);
                 table.Set(k / 3, k % 3, points[k]);
             }

@@ -25,7 +25,7 @@ namespace Alate.Tests
                 Assert.That(BodyWake.Read(point, pair), Is.EqualTo(s_Air * (pair + 1f)));
             Assert.That(BodyWake.Read(point, TrimPoint.Pairs).IsSet, Is.False);
             Assert.That(BodyWake.Read(point, -1).IsSet, Is.False);
-            Assert.That(point[TrimPoint.OwnFloats - 1], Is.EqualTo(0f), "gains are left alone");
+            Assert.That(point[TrimPoint.Inflow - 1], Is.EqualTo(0f), "gains are left alone");
         }
 
         [TestCase(1f, 1f, 1f)]
@@ -94,6 +94,24 @@ namespace Alate.Tests
             float3 atRest = still.world.Read(still.right).AirForce, after = blown.world.Read(blown.right).AirForce;
             Assert.That(math.length(atRest), Is.GreaterThan(0f));
             Assert.That(math.distance(atRest, after), Is.LessThan(1e-3f * math.length(atRest)));
+        }
+
+        [Test]
+        public void WingsWhoseBodyIsTakenOut_MeetTheInflowOfTheirParameters([Values] bool isSet)
+        {
+            using var body = new CarriedBody(BodyMode.Held, PointWith(s_Air));
+            WingParameters parameters = Monarch.Parameters;
+            parameters.inflow = isSet ? s_Air * 0.5f : default;
+            body.world.SetParameters(body.right, parameters);
+            body.world.SetParameters(body.left, parameters);
+            Step(body, 100);
+            body.world.RemoveBody(body.Handle);
+            Step(body, 400);
+            foreach (WingHandle wing in new[] { body.right, body.left })
+            {
+                WingReading reading = body.world.Read(wing);
+                Assert.That(math.distance(reading.WakeVelocity, parameters.inflow.At(reading.Phase)), Is.LessThan(1e-3f));
+            }
         }
 
         private static float3 Force(in WingInflow ofTable, in WingInflow ofPreset)

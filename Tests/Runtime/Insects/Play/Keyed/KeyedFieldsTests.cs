@@ -102,7 +102,8 @@ namespace Alate.Tests.Play
 
         private IEnumerable<KeyedScene> FlightScenes()
         {
-            yield return new KeyedScene(Flying, StateOf) { Begin = Calm };
+            // A heading acts from the next beat on.
+            yield return new KeyedScene(Flying, StateOf) { Begin = Calm, After = 10 };
 
             // A gust that it cannot hold against.
             yield return new KeyedScene(Flying, StateOf)
