@@ -87,6 +87,29 @@ namespace Alate.Tests.Wake
             Assert.That(Lift(-k_Span), Is.EqualTo(Lift(0f)).Within(10).Percent);
         }
 
+        // Thin airfoil theory: what turns about its middle has the lift of a plate whose angle is larger by the turn of a quarter chord over
+        // the stream.
+        [TestCase(0.8, 0.05)]
+        [TestCase(-1.5, 0.1)]
+        public void APlateThatPitches_MeetsTheAirOfItsThreeQuarterChord_WhereItsRotationIsAttached(double rate, double angle)
+        {
+            const double stream = 4;
+            float Lift(double at, double turning, bool attached)
+            {
+                var plate = new ThinWing { Span = k_Span, Pivot = 0.5, Move = _ => (0.0, 0.0, at, turning) };
+                using var wake = new FreeWake(
+                    new WakeSettings { Stream = new float3(0f, 0f, (float)-stream) },
+                    [new WakeWing(plate) { Coefficients = null, Downwash = MeasuredDownwash.None, AttachedRotation = attached }]);
+                wake.Step();
+                return wake.Loads(0).Force.y;
+            }
+
+            double steady = Lift(angle, 0, true), more = Lift(angle + 0.25 * rate / stream, 0, true) - steady;
+            Assert.That(steady, Is.EqualTo(Lift(angle, 0, false)).Within(1e-4).Percent, "what does not turn has none");
+            Assert.That(Lift(angle, rate, true) - steady, Is.EqualTo(more).Within(5).Percent);
+            Assert.That(Math.Abs(Lift(angle, rate, false) - steady), Is.LessThan(0.05 * Math.Abs(more)));
+        }
+
         // In air at rest both halves meet it broadside: drag alone, ½ C_D |ω x|² on each part, whose power is C_D ω³ c⁴ b / 64.
         [Test]
         public void APlateThatTurnsAboutItsMiddle_IsBraked_ByBothHalves()

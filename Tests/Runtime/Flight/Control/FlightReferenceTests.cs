@@ -68,6 +68,18 @@ namespace Alate.Tests.Flight
             Assert.That(math.length(told.acceleration) + math.abs(told.turning), Is.Zero);
         }
 
+        [TestCase(-2f, -0.3f)]
+        [TestCase(-0.1f, -0.2f)]
+        [TestCase(0.1f, 0f)]
+        [TestCase(2f, 0f)]
+        public void AnInsectThatTumbles_IsLedDownAsItFalls_AndNeverUp(float rise, float led)
+        {
+            var wind = new float3(0f, 0.1f, 0f);
+            var reference = new FlightReference(default, 0f, wind);
+            var body = new FlyingBody { rotation = quaternion.identity, velocity = new float3(0f, rise, 0f), wind = wind };
+            Assert.That(reference.Right(body, m_Table, k_Step).climb, Is.EqualTo(led).Within(1e-5f));
+        }
+
         [Test]
         public void OnlyAGuardedInsect_IsLedOutOfATumble([Values] bool isGuarded, [Values] bool rights)
         {
