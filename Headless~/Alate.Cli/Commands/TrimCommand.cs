@@ -31,7 +31,7 @@ internal static class TrimCommand
         };
         var stillAir = new Option<bool>("--still-air")
         {
-            Description = "With --bake: the wings of each trim meet air at rest, not that of its own wake.",
+            Description = "The wings of each trim meet air at rest, not that of its own wake.",
         };
         var folder = new Option<string>("--out") { HelpName = "DIR", Description = "Where the files go. [default: out/trim]" };
         var command = new Command("trim", "Finds the beat and the attitude that carry an insect at speeds and climbs.") { species, speeds,
@@ -47,7 +47,7 @@ internal static class TrimCommand
             if (parsed.GetValue(bake))
                 Bake(insect, KnownSpecies.IsFile(named) ? named : null, model, ahead, up, parsed.GetValue(stillAir), output);
             else
-                Survey(insect, model, ahead, up, parsed.GetValue(folder) ?? Path.Combine("out", "trim"), output);
+                Survey(insect, model, ahead, up, parsed.GetValue(stillAir), parsed.GetValue(folder) ?? Path.Combine("out", "trim"), output);
             return 0;
         });
         return command;
@@ -58,7 +58,7 @@ internal static class TrimCommand
         InsectDefinition insect, string file, FlightModel model, List<float> speeds, List<float> climbs, bool stillAir,
         TextWriter output)
     {
-        var bake = new TrimBake(model) { Log = output.WriteLine, Wake = stillAir ? null : new TrimWake() };
+        var bake = new TrimBake(model) { Log = output.WriteLine, Wake = WakeOf(stillAir) };
         using TrimTable table = bake.Bake(speeds, climbs)
             ?? throw new UserException($"The {insect.DisplayName} does not fly: {bake.Problem}");
         if (file != null)
@@ -77,10 +77,11 @@ internal static class TrimCommand
     }
 
     private static void Survey(
-        InsectDefinition insect, FlightModel model, List<float> speeds, List<float> climbs, string path, TextWriter output)
+        InsectDefinition insect, FlightModel model, List<float> speeds, List<float> climbs, bool stillAir, string path,
+        TextWriter output)
     {
         using var folder = OutputFolder.Prepare(path, k_Picture, k_Table);
-        List<TrimRow> rows = TrimSurvey.Make(model, speeds, climbs, output.WriteLine);
+        List<TrimRow> rows = TrimSurvey.Make(model, speeds, climbs, WakeOf(stillAir), output.WriteLine);
         if (!rows.Exists(row => row.Closes))
             throw new UserException($"The {insect.DisplayName} does not fly at any of these speeds and climbs. {rows[0].Problem}");
         output.WriteLine(
@@ -94,6 +95,8 @@ internal static class TrimCommand
         folder.Commit();
         output.WriteLine($"{Path.Combine(path, k_Picture)}, {Path.Combine(path, k_Table)}");
     }
+
+    private static TrimWake WakeOf(bool stillAir) => stillAir ? null : new TrimWake();
 
     private static List<float> List(double[] given, IReadOnlyList<float> otherwise) =>
         given is { Length: > 0 } ? given.Select(value => (float)value).Distinct().Order().ToList() : otherwise.ToList();
@@ -109,7 +112,7 @@ internal static class TrimCommand
         + "  trim monarch\n"
         + "  trim fishfly --speeds 0,0.5,1 --climbs 0\n\n"
         + "Of all beats that balance lift, thrust and pitching moment the nearest to the species' own, with the bob of the body "
-        + "that they make.\n\n"
+        + "that they make, in the air of the wake that they leave.\n\n"
         + "Writes into the output folder:\n"
         + "  trim.svg  pitch, frequency, flap, tilt, sweep, bob and power over speed, a line a climb\n"
         + "  trim.csv  the same, with what is left of lift, thrust and moment over the weight, and what is missing where a point "

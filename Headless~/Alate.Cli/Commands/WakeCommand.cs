@@ -24,7 +24,10 @@ internal static class WakeCommand
         {
             if (options.IsFree(parsed))
                 flight.CheckTrimmed(parsed);
-            WakeReport.Run(flight.Plan(parsed, parsed.GetValue(species)), options.Plan(parsed), output);
+            FlightPlan plan = flight.Plan(parsed, parsed.GetValue(species));
+            if (options.IsFree(parsed) && !flight.HasSpeed(parsed))
+                plan = TrimmedFlight.WithinTable(plan);
+            WakeReport.Run(plan, options.Plan(parsed), output);
             return 0;
         });
         return command;

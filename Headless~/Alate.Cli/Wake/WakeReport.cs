@@ -7,7 +7,7 @@ internal static class WakeReport
         k_PlanePicture = "plane.svg", k_Span = "span.csv", k_SpanPicture = "span.svg";
 
     /// <summary>
-    /// Substeps of a flight that is not told any: at the default ones lift is up to 15 % low, which would be taken for the wake's.
+    /// Substeps of a flight that is not told any: at the default ones lift is up to 4 % low, which would be taken for the wake's.
     /// </summary>
     private const int k_Substeps = 192;
 

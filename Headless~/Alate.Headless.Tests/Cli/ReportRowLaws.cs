@@ -70,7 +70,7 @@ public sealed class ReportRowLaws
     [Category("Long")]
     [Category("Faults")]
     public void AClimbingMonarch_IsThatOfTheReport() =>
-        Compare(row => Begins(row, "monarch, climbing"), 1, done => ButterflyRows.Climbing(new Fineness(24, 48), done), 0.06, 0.1, false);
+        Compare(row => Begins(row, "monarch, climbing"), 1, done => ButterflyRows.Climbing(new Fineness(64, 128), done), 0.06, 0.1, false);
 
     [Test]
     public void AHeldMonarch_IsThatOfTheReport() =>

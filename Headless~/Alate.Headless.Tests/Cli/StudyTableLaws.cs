@@ -142,7 +142,7 @@ public sealed class StudyTableLaws
     public void ASurvey_TellsItsTrims_InDegreesHertzAndMilliwatts()
     {
         using FlightModel model = CatalogueFlight.CreateModel(InsectCatalogue.Find("monarch"));
-        TrimRow row = TrimSurvey.Make(model, [1.3f], [0f], _ => { }).Single();
+        TrimRow row = TrimSurvey.Make(model, [1.3f], [0f], null, _ => { }).Single();
         using var solver = new TrimSolver(model);
         using var grid = new TrimTable([1.3f], [0f]);
         TrimState trim = new TrimBake(model).Trims(solver, grid)[0, 0];

@@ -87,8 +87,8 @@ namespace Alate.Tests.Wake
             Assert.That(Lift(-k_Span), Is.EqualTo(Lift(0f)).Within(10).Percent);
         }
 
-        // Thin airfoil theory: what turns about its middle has the lift of a plate whose angle is larger by the turn of a quarter chord over
-        // the stream.
+        // Thin airfoil theory: what turns about its middle has the lift of a plate whose angle is larger by the turn of a quarter chord
+        // over the stream.
         [TestCase(0.8, 0.05)]
         [TestCase(-1.5, 0.1)]
         public void APlateThatPitches_MeetsTheAirOfItsThreeQuarterChord_WhereItsRotationIsAttached(double rate, double angle)

@@ -89,6 +89,8 @@ namespace Alate.Catalogue
         private static void Swim(WingPreset preset)
         {
             FlightVariant.Apply(preset);
+            // In water the term is large, and of first order in the substep: it moves the fin by 0.8 % of its length between two steps.
+            preset.Options.attachedRotation = false;
             preset.Beat.featherRange = 16f;
         }
 

@@ -54,8 +54,6 @@ namespace Alate.Flight
             using var solver = new TrimSolver(m_Model);
             using var tunnel = new FlightTunnel(m_Model, BeatMap.Insects);
             TrimState[,] trims = Trims(solver, table);
-            if (Wake != null)
-                MeetWakes(new WakeTrims(m_Model, Wake, solver), table, trims);
             for (int s = 0; s < table.Speeds.Length; s++)
             {
                 for (int c = 0; c < table.ClimbRates.Length; c++)
@@ -95,8 +93,18 @@ namespace Alate.Flight
             return null;
         }
 
-        /// <summary>Trims over speeds and climbs, each also tried from its neighbours'; null where none closes.</summary>
+        /// <summary>
+        /// Trims over speeds and climbs in the air of their wakes, each also tried from its neighbours'; null where none closes.
+        /// </summary>
         internal TrimState[,] Trims(TrimSolver solver, TrimTable table)
+        {
+            TrimState[,] trims = Still(solver, table);
+            if (Wake != null)
+                MeetWakes(new WakeTrims(m_Model, Wake, solver), table, trims);
+            return trims;
+        }
+
+        private TrimState[,] Still(TrimSolver solver, TrimTable table)
         {
             int speeds = table.Speeds.Length, climbs = table.ClimbRates.Length;
             var trims = new TrimState[speeds, climbs];

@@ -120,6 +120,9 @@ internal sealed class FlyOptions
     /// <exception cref="UserException">One is for other flights alone.</exception>
     public void CheckTrimmed(ParseResult parsed) => CheckFree(parsed, m_Speed, m_Climb, m_Substeps, m_View);
 
+    /// <summary>True where a speed is given.</summary>
+    public bool HasSpeed(ParseResult parsed) => parsed.GetValue(m_Speed) != null;
+
     private void CheckFree(ParseResult parsed, params Option[] also)
     {
         Option[] both = [m_Variant, m_Out, .. also];

@@ -31,6 +31,16 @@ internal static class TrimmedFlight
                 + solver.Missing(condition, residual));
     }
 
+    /// <summary>The plan at its speed, or at the top speed of the insect's table where that is less.</summary>
+    /// <exception cref="UserException">The insect has no table.</exception>
+    public static FlightPlan WithinTable(FlightPlan plan)
+    {
+        InsectDefinition insect = KnownSpecies.With(plan.Definition, InsectVariant.Flight);
+        using FlightModel model = CatalogueFlight.CreateModel(insect);
+        using TrimTable table = TableOf(insect, model);
+        return plan with { Speed = Math.Min(plan.Speed, table.TopSpeed) };
+    }
+
     /// <summary>Trim table of a species.</summary>
     /// <exception cref="UserException">It has none.</exception>
     public static TrimTable TableOf(InsectDefinition insect, FlightModel model) => CatalogueFlight.CreateTable(insect, model)

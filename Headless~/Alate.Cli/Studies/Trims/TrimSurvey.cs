@@ -6,11 +6,17 @@ namespace Alate.Cli;
 internal static class TrimSurvey
 {
     /// <summary>Solves all; tells how many are done.</summary>
-    public static List<TrimRow> Make(FlightModel model, IReadOnlyList<float> speeds, IReadOnlyList<float> climbs, Action<string> log)
+    /// <param name="model">The insect.</param>
+    /// <param name="speeds">Speeds ahead, m/s.</param>
+    /// <param name="climbs">Speeds up, m/s.</param>
+    /// <param name="wake">Air that the wings meet; null for air at rest.</param>
+    /// <param name="log">Receiver of each line.</param>
+    public static List<TrimRow> Make(
+        FlightModel model, IReadOnlyList<float> speeds, IReadOnlyList<float> climbs, ITrimWake wake, Action<string> log)
     {
         using var solver = new TrimSolver(model);
         using var grid = new TrimTable([.. speeds], [.. climbs]);
-        var bake = new TrimBake(model) { Log = log };
+        var bake = new TrimBake(model) { Log = log, Wake = wake };
         TrimState[,] trims = bake.Trims(solver, grid);
         var rows = new List<TrimRow>();
         for (int s = 0; s < speeds.Count; s++)
