@@ -94,9 +94,9 @@ public sealed class ReportRowLaws
     [Category("Long")]
     [Category("Faults")]
     public void Wakes_AreThoseOfTheReport() =>
-        Compare(row => Text(row, "table") == "wakes", 5,
-            done => WakeRows.Beating(done).Concat(WakeRows.Starting(done)).Concat(WakeRows.Steady(done)).Concat(WakeRows.Revolving(done))
-                .Concat(WakeRows.Flapping(done)),
+        Compare(row => Text(row, "table") == "wakes", 6,
+            done => WakeRows.Beating(done).Concat(WakeRows.Starting(done)).Concat(WakeRows.Steady(done)).Concat(WakeRows.Formation(done))
+                .Concat(WakeRows.Revolving(done)).Concat(WakeRows.Flapping(done)),
             1e-3, 1e-3, false);
 
     [Test]

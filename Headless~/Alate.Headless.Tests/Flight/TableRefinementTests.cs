@@ -15,7 +15,7 @@ namespace Alate.Tests.FreeFlights
         [Category("Long")]
         [Category("Faults")]
         public void BetweenItsSlowestSpeeds_ASwallowtailFlies() =>
-            FlyBetween("swallowtail", (speed, climb) => speed < 0.06f && math.abs(climb) < 0.06f);
+            FlyBetween("swallowtail", (speed, climb) => speed < 0.08f && math.abs(climb) < 0.08f);
 
         [TestCase("monarch")]
         [TestCase("swallowtail")]

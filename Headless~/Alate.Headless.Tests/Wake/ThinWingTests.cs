@@ -13,6 +13,20 @@ namespace Alate.Tests.Wake
     {
         private const double k_Degree = Math.PI / 180.0;
 
+        // Far behind an elliptic line the air beside its wake rises by the largest circulation over the span, times y/√(y² − ¼) − 1.
+        [TestCase(1.1)]
+        [TestCase(1.5)]
+        [TestCase(3.0)]
+        public void FarBehindAnEllipse_TheSecondIsLiftedByTheAirBesideItsWake(double aside)
+        {
+            const double ratio = 8;
+            double middle = 2 * 2 * Math.PI / (1 + 2 / ratio) / (Math.PI * ratio);
+            double gain = Integrate.OnClosedInterval(
+                at => Math.Sin(at) * Math.Sin(at) * middle * (1 / Math.Sqrt(1 - 0.25 / Math.Pow(aside + 0.5 * Math.Cos(at), 2)) - 1),
+                0, Math.PI);
+            Assert.That(ThinWingTheory.Following(ratio, aside, 1000) - 1, Is.EqualTo(gain / (0.5 * Math.PI)).Within(0.1).Percent);
+        }
+
         // Theodorsen's function by Hankel functions.
         private static Complex Lag(double k) =>
             SpecialFunctions.HankelH2(1, k) / (SpecialFunctions.HankelH2(1, k) + Complex.ImaginaryOne * SpecialFunctions.HankelH2(0, k));

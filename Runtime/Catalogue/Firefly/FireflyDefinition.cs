@@ -84,6 +84,7 @@ namespace Alate.Catalogue
             Quicken(preset);
             FlightVariant.Apply(preset);
             preset.Size.insectMass = 17.5e-6f;
+            preset.Stiffness.springScale = 28f;
         }
 
         private static InsectSource[] Sources()
@@ -112,6 +113,8 @@ namespace Alate.Catalogue
                 new InsectSource("MAX_f", "62 Hz", "as biological", InsectVariant.Flight),
                 new InsectSource(
                     "insect mass", "17.5 mg", "chosen: half of the other variants', which these wings do not carry", InsectVariant.Flight),
+                new InsectSource(
+                    "κ", "28", "chosen: the lift of rotation stretches a softer membrane by more than 6 %", InsectVariant.Flight),
                 new InsectSource("veins, colours", "six veins and three forks", "drawn by us"),
             };
         }

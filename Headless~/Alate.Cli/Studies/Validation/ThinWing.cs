@@ -25,6 +25,9 @@ internal sealed class ThinWing : IWingMotion
     /// <summary>Place of the root.</summary>
     public float Root { get; init; }
 
+    /// <summary>Distance ahead, chords.</summary>
+    public float Ahead { get; init; }
+
     /// <summary>Share of the chord, from the leading edge, about which it pitches.</summary>
     public double Pivot { get; init; }
 
@@ -111,6 +114,38 @@ internal sealed class ThinWing : IWingMotion
         return (lift / k_Slope, lift * lift * area / (Math.PI * plate.Span * plate.Span * drag));
     }
 
+    /// <summary>
+    /// Lift of an ellipse behind and beside another one, over that of an ellipse alone; both at the pitch of <see cref="Slope"/>.
+    /// </summary>
+    /// <param name="span">Of each, chords.</param>
+    /// <param name="aside">Between their middles, spans.</param>
+    /// <param name="behind">Spans.</param>
+    /// <param name="along">Panels along the span.</param>
+    public static double Following(float span, float aside, float behind, int along)
+    {
+        const int k_Steps = 4;
+        double Lift(params ThinWing[] plates)
+        {
+            WakeSettings settings = Panels(2, along, k_Steps, (behind + 6f) * span, -1f);
+            settings.SuctionAlongChord = true;
+            using var wake = new FreeWake(settings, plates.Select(plate => new WakeWing(plate)).ToList());
+            for (int k = 0; k < k_Steps * (behind + 6f) * span; k++)
+                wake.Step();
+            return wake.Loads(plates.Length - 1).Force.y;
+        }
+
+        var follower = new ThinWing
+        {
+            Span = span,
+            Root = (aside - 0.5f) * span,
+            Ahead = -behind * span,
+            Pivot = 0.5,
+            Chord = Ellipse(span).Chord,
+            Move = Ellipse(span).Move,
+        };
+        return Lift(Ellipse(span), follower) / Lift(follower);
+    }
+
     /// <summary>A rectangle at the pitch of <see cref="Slope"/>.</summary>
     public static ThinWing Rectangle(float span) => Steady(span, k_Slope);
 
@@ -123,7 +158,7 @@ internal sealed class ThinWing : IWingMotion
         {
             double chord = Chord == null ? 1.0 : Chord(places[k].y);
             double ahead = Pivot - (0.5 - 0.5 * chord + places[k].x * chord);
-            points[k] = new float3(Root + places[k].y * Span, (float)(height + ahead * sin), (float)(ahead * cos));
+            points[k] = new float3(Root + places[k].y * Span, (float)(height + ahead * sin), Ahead + (float)(ahead * cos));
             velocities[k] = new float3(0f, (float)(rise + ahead * cos * turn), (float)(-ahead * sin * turn));
         }
     }

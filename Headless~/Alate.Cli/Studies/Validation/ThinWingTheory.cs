@@ -5,6 +5,42 @@ namespace Alate.Cli;
 /// <summary>Closed forms of thin wings in attached flow, apart from the wake; forces over the density and a unit of width.</summary>
 internal static class ThinWingTheory
 {
+    /// <summary>
+    /// Lift of an elliptic wing behind and beside another one, over that of one alone, by lifting lines: the upwash of the first, weighed
+    /// with the ellipse of the second (reverse flow), over the angle that both have.
+    /// </summary>
+    /// <param name="ratio">Aspect ratio.</param>
+    /// <param name="aside">Between their middles, spans.</param>
+    /// <param name="behind">Spans.</param>
+    public static double Following(double ratio, double aside, double behind)
+    {
+        // Lengths in spans, stream and density 1: the circulation is an ellipse of that of the lift coefficient.
+        const int parts = 400;
+        double slope = 2 * Math.PI / (1 + 2 / ratio), middle = 2 * slope / (Math.PI * ratio), sum = 0, weights = 0;
+        for (int k = 0; k < parts; k++)
+        {
+            double at = Math.PI * (k + 0.5) / parts, weight = Math.Sin(at) * Math.Sin(at);
+            weights += weight;
+            sum += weight * Upwash(middle, aside + 0.5 * Math.Cos(at), behind, parts);
+        }
+
+        return 1 + sum / weights;
+    }
+
+    // Of the vortices that an elliptic line sheds, and of the line itself.
+    private static double Upwash(double middle, double aside, double behind, int parts)
+    {
+        double sum = 0;
+        for (int k = 0; k < parts; k++)
+        {
+            double at = Math.PI * (k + 0.5) / parts, y = aside - 0.5 * Math.Cos(at), r = Math.Sqrt(behind * behind + y * y);
+            double shed = middle * Math.Cos(at), bound = 0.5 * middle * Math.Sin(at) * Math.Sin(at);
+            sum += shed * (1 + behind / r) / (4 * Math.PI * y) - bound * behind / (4 * Math.PI * r * r * r);
+        }
+
+        return sum * Math.PI / parts;
+    }
+
     /// <summary>Places of the integrals of the Bessel functions, and the bound of their infinite part.</summary>
     private const int k_Places = 4000;
     private const double k_Far = 12, k_Semichord = 0.5;

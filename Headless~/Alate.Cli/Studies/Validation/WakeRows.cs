@@ -96,6 +96,23 @@ internal static class WakeRows
         done();
     }
 
+    /// <summary>Two ellipses in formation: what the wake of the first lifts the second by.</summary>
+    public static IEnumerable<ValidationRow> Formation(Action done)
+    {
+        const double k_Ratio = 10;
+        const float k_Span = (float)(k_Ratio * Math.PI / 4), k_Behind = 1f;
+        foreach (float aside in new[] { 1.25f, 1.5f })
+        {
+            yield return Near(
+                FormattableString.Invariant($"two ellipses, aspect ratio 10, the second a span behind and {aside} spans aside"),
+                "gain of the second's lift, %", 100 * (ThinWingTheory.Following(k_Ratio, aside, k_Behind) - 1), k_Share,
+                "lifting lines, the second by reverse flow", 100 * (ThinWing.Following(k_Span, aside, k_Behind, 10) - 1),
+                100 * (ThinWing.Following(k_Span, aside, k_Behind, 16) - 1));
+        }
+
+        done();
+    }
+
     /// <summary>The wing by which the coefficients were measured.</summary>
     public static IEnumerable<ValidationRow> Revolving(Action done)
     {
