@@ -23,9 +23,9 @@ public static class SceneHashes
     private static readonly (string Name, ulong Held, Func<HashVariant, ulong> Run)[] s_Scenes =
     [
         ("tethered", 0xa86be4558977f23c, TetheredScene.Run),
-        ("free", 0xc8ccc8ba7f7d2a27, variant => FleetScene.Run(s_Flyers, false, k_FreeFrames, false, variant)),
-        ("wander", 0xef850edce5d4486d, variant => FleetScene.Run(s_Flyers, true, k_WanderFrames, false, variant)),
-        ("crowd", 0xcfbb5741ef4ae856, variant => FleetScene.Run(Crowd(), true, k_CrowdFrames, true, variant)),
+        ("free", 0x286680063c175d0b, variant => FleetScene.Run(s_Flyers, false, k_FreeFrames, false, variant)),
+        ("wander", 0xdbde1d3ae75e54b2, variant => FleetScene.Run(s_Flyers, true, k_WanderFrames, false, variant)),
+        ("crowd", 0x568bf0f9aecc500f, variant => FleetScene.Run(Crowd(), true, k_CrowdFrames, true, variant)),
     ];
 
     /// <summary>Names of the scenes.</summary>

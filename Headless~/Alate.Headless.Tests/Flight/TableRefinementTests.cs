@@ -45,13 +45,13 @@ namespace Alate.Tests.FreeFlights
                 Assert.That(table.IsClosed(s, table.LevelClimb), $"{table.Speeds[s]} m/s");
         }
 
-        // The guard of commands lets a slow monarch climb by 0.03 m/s, where trims for 0.3 m/s hardly count.
+        // The guard of commands lets a slow firefly climb by 0.03 m/s, where trims for 0.3 m/s hardly count.
         [Test]
         public void TrimsThatDoNotFit_AreNoticed_WhereTheGuardOfCommandsWouldNotFly()
         {
-            using var insect = new FlyingInsect("monarch");
+            using var insect = new FlyingInsect("firefly");
             TrimTable table = insect.Table;
-            int s = Array.FindIndex(table.Speeds, speed => speed > 0.5f), c = Array.IndexOf(table.ClimbRates, 0.3f);
+            int s = Array.FindIndex(table.Speeds, speed => speed > 0.2f), c = Array.IndexOf(table.ClimbRates, 0.3f);
             var between = new FlightCondition(0.5f * (table.Speeds[s - 1] + table.Speeds[s]), table.ClimbRates[c]);
             Assert.That(table.IsClosed(s - 1, c) && table.IsClosed(s, c));
             Assert.That(TableFlight.Mixes(insect.Model, table, between));

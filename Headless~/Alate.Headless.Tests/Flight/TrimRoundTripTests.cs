@@ -42,8 +42,8 @@ namespace Alate.Tests.FreeFlights
             Assert.That(power, Is.EqualTo(flown.Power).Within(5).Percent, "W");
         }
 
-        // Pitch, frequency, amplitude, tilt or mean sweep is off; what the flight settles on is a trim, which a third flight hardly
-        // changes.
+        // Pitch, frequency, amplitude, tilt or mean sweep is off; what the flight settles on is a trim, whose beat and attitude a second
+        // flight hardly changes, and whose bob a third one: with the air of wakes a flight takes its bob half of the way.
         [Test]
         public void WhatAFlightSettlesOn_IsATrim([Values(0, 3)] int part) => AssertSettles(part);
 
@@ -63,9 +63,10 @@ namespace Alate.Tests.FreeFlights
                 thrice = FlownTrim.Fly(insect.Model, point, twice, condition, out _);
             using var solver = new TrimSolver(insect.Model);
             double before = TrimSolver.Norm(solver.Residual(moved, condition, out _)),
-                after = TrimSolver.Norm(solver.Residual(thrice, condition, out _));
+                after = TrimSolver.Norm(solver.Residual(twice, condition, out _));
 
-            Assert.That(Off(thrice.z, twice.z), Is.LessThan(0.4 * Off(once.z, moved.z)));
+            Assert.That(Off(twice.z, once.z), Is.LessThan(0.4 * Off(once.z, moved.z)));
+            Assert.That(Off(twice.bob, once.bob), Is.LessThan(0.7 * Off(once.bob, moved.bob)));
             Assert.That(Off(thrice.bob, twice.bob), Is.LessThan(0.4 * Off(once.bob, moved.bob)));
             Assert.That(after, Is.LessThan(TrimSolver.Closed).And.LessThan(0.4 * before));
         }

@@ -68,7 +68,7 @@ namespace Alate.Flight
                     int beside = s + 1 < table.Speeds.Length && table.IsClosed(s + 1, c) ? s + 1 : s - 1;
                     if (table.IsClosed(s, c) || beside < 0 || !table.IsClosed(beside, c))
                         continue;
-                    AddPoint(table, s, c, Middle(State(table, s, c - way), State(table, beside, c)));
+                    AddPoint(table, s, c, TrimState.Middle(State(table, s, c - way), State(table, beside, c)));
                     if (!table.IsClosed(s, c))
                         break;
                     table.Fill();
@@ -118,7 +118,7 @@ namespace Alate.Flight
             {
                 TrimState sinking = State(refined, s, c), climbing = State(refined, s, c + 2);
                 if (sinking != null && climbing != null)
-                    AddPoint(refined, s, c + 1, Middle(sinking, climbing));
+                    AddPoint(refined, s, c + 1, TrimState.Middle(sinking, climbing));
             }
 
             Replace(ref table, refined, true);
@@ -138,7 +138,7 @@ namespace Alate.Flight
         private void AddRow(TrimTable table, int s)
         {
             int level = table.LevelClimb;
-            AddPoint(table, s, level, Middle(State(table, s - 1, level), State(table, s + 1, level)));
+            AddPoint(table, s, level, TrimState.Middle(State(table, s - 1, level), State(table, s + 1, level)));
             foreach (int way in new[] { -1, 1 })
             {
                 for (int c = level + way; c >= 0 && c < table.ClimbRates.Length && table.IsClosed(s, c - way); c += way)
@@ -146,7 +146,7 @@ namespace Alate.Flight
                     TrimState slower = State(table, s - 1, c), faster = State(table, s + 1, c), inner = State(table, s, c - way);
                     if (slower == null && faster == null)
                         break;
-                    AddPoint(table, s, c, slower != null && faster != null ? Middle(slower, faster) : Middle(inner, slower ?? faster));
+                    AddPoint(table, s, c, slower != null && faster != null ? TrimState.Middle(slower, faster) : TrimState.Middle(inner, slower ?? faster));
                 }
             }
         }
@@ -161,17 +161,5 @@ namespace Alate.Flight
 
         private TrimState State(TrimTable table, int s, int c) =>
             table.IsClosed(s, c) ? TrimState.Read(table.Point(s, c), m_Frequency) : null;
-
-        private static TrimState Middle(TrimState a, TrimState b)
-        {
-            TrimState middle = a.Copy();
-            for (int k = 0; k < middle.z.Length; k++)
-                middle.z[k] = 0.5 * (a.z[k] + b.z[k]);
-            for (int k = 0; k < middle.bob.Length; k++)
-                middle.bob[k] = 0.5 * (a.bob[k] + b.bob[k]);
-            for (int pair = 0; pair < middle.inflow.Length; pair++)
-                middle.inflow[pair] = (a.inflow[pair] + b.inflow[pair]) * 0.5f;
-            return middle;
-        }
     }
 }

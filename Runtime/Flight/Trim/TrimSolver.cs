@@ -87,15 +87,15 @@ namespace Alate.Flight
                 {
                     // Too far: half of the last move, and from now on less towards what is preferred.
                     halvings++;
-                    pull *= HoldsStill ? 1 : 0.5;
-                    now = TrimState.Between(previous, now);
+                    pull *= 0.5;
+                    now = TrimState.Middle(previous, now);
                     continue;
                 }
 
                 lastAway = away;
                 halvings = 0;
                 previous = now.Copy();
-                double[] move = Move(now, Preferred(condition, now, pull), m_System.Slope, m_System.Settled);
+                double[] move = Move(now, Towards(Preferred(condition), now, pull), m_System.Slope, m_System.Settled);
                 for (int k = 0; k < now.z.Length; k++)
                     now.z[k] += move[k];
                 if (bobs)
@@ -224,12 +224,12 @@ namespace Alate.Flight
         }
 
         // The more often a move went too far, the less it goes towards what is preferred.
-        private double[] Preferred(in FlightCondition condition, TrimState now, double pull)
+        private static double[] Towards(double[] preferred, TrimState now, double pull)
         {
-            double[] preferred = (double[])Preferred(condition).Clone();
-            for (int k = 0; k < preferred.Length; k++)
-                preferred[k] = now.z[k] + pull * (preferred[k] - now.z[k]);
-            return preferred;
+            double[] towards = new double[preferred.Length];
+            for (int k = 0; k < towards.Length; k++)
+                towards[k] = now.z[k] + pull * (preferred[k] - now.z[k]);
+            return towards;
         }
 
         // Pitch and tilt by speed; own frequency and amplitude, no sweep.

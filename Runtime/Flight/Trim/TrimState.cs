@@ -104,14 +104,16 @@ namespace Alate.Flight
             return copy;
         }
 
-        /// <summary>The state in the middle between two, in the air of the second.</summary>
-        internal static TrimState Between(TrimState first, TrimState second)
+        /// <summary>The state in the middle between two.</summary>
+        internal static TrimState Middle(TrimState a, TrimState b)
         {
-            TrimState middle = second.Copy();
+            TrimState middle = a.Copy();
             for (int k = 0; k < middle.z.Length; k++)
-                middle.z[k] = 0.5 * (first.z[k] + second.z[k]);
+                middle.z[k] = 0.5 * (a.z[k] + b.z[k]);
             for (int k = 0; k < middle.bob.Length; k++)
-                middle.bob[k] = 0.5 * (first.bob[k] + second.bob[k]);
+                middle.bob[k] = 0.5 * (a.bob[k] + b.bob[k]);
+            for (int pair = 0; pair < middle.inflow.Length; pair++)
+                middle.inflow[pair] = (a.inflow[pair] + b.inflow[pair]) * 0.5f;
             return middle;
         }
 

@@ -4,6 +4,8 @@ using System.Collections.Generic;
 using Alate.Catalogue;
 using Alate.Flight;
 using NUnit.Framework;
+using Unity.Jobs.LowLevel.Unsafe;
+using Unity.Mathematics;
 using UnityEngine;
 using UnityEngine.TestTools;
 
@@ -64,6 +66,28 @@ namespace Alate.Tests.Play
             Assert.That(Vector3.Distance(Tip(), tip), Is.GreaterThan(0.01f), "they beat again");
 
             Vector3 Tip() => wings.transform.InverseTransformPoint(wings.JointPosition(0, 0, wings.Read(0).JointsPerChain - 1));
+        }
+
+        // Without workers a step is computed where it is waited for: at the latest where the body is taken out, before its table is freed.
+        [UnityTest]
+        public IEnumerator AFlightThatIsDisabledWhileItsStepWaits_LeavesWingsThatBeat([Values(10, 11, 12, 13, 14, 15)] int frames)
+        {
+            InsectFlight flight = Hatch();
+            InsectWings wings = flight.GetComponent<InsectWings>();
+            try
+            {
+                JobsUtility.JobWorkerCount = 0;
+                yield return Frames(frames);
+                flight.enabled = false;
+                yield return Frames(10);
+                Vector3 tip = wings.JointPosition(0, 0, wings.Read(0).JointsPerChain - 1);
+                Assert.That(math.all(math.isfinite((float3)tip)));
+                Assert.That(wings.Read(0).Frequency, Is.InRange(5f, 20f));
+            }
+            finally
+            {
+                JobsUtility.ResetJobWorkerCount();
+            }
         }
 
         [UnityTest]
