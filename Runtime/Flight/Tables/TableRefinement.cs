@@ -146,7 +146,8 @@ namespace Alate.Flight
                     TrimState slower = State(table, s - 1, c), faster = State(table, s + 1, c), inner = State(table, s, c - way);
                     if (slower == null && faster == null)
                         break;
-                    AddPoint(table, s, c, slower != null && faster != null ? TrimState.Middle(slower, faster) : TrimState.Middle(inner, slower ?? faster));
+                    bool isBetween = slower != null && faster != null;
+                    AddPoint(table, s, c, isBetween ? TrimState.Middle(slower, faster) : TrimState.Middle(inner, slower ?? faster));
                 }
             }
         }

@@ -118,13 +118,20 @@ namespace Alate.Tests.Play
                 yield return null;
             }
 
+            // A step begins in one frame of four: there the ways between are the longest.
             float frames = 0f, steps = 0f;
             for (int k = 1; k < shown.Count; k++)
                 frames += Quaternion.Angle(shown[k - 1], shown[k]);
-            for (int k = 4; k < shown.Count; k += 4)
-                steps += Quaternion.Angle(shown[k - 4], shown[k]);
+            for (int first = 0; first < 4; first++)
+            {
+                float way = 0f;
+                for (int k = first + 4; k < shown.Count; k += 4)
+                    way += Quaternion.Angle(shown[k - 4], shown[k]);
+                steps = Mathf.Max(steps, way);
+            }
+
             Assert.That(steps, Is.GreaterThan(10f), "a monarch nods with its beat");
-            Assert.That(frames, Is.LessThan(1.5f * steps));
+            Assert.That(frames, Is.LessThan(1.1f * steps));
         }
 
         [UnityTest]
