@@ -74,7 +74,7 @@ const cases = {
     near(magicOf(new ArrayBuffer(2)), 0, 'magic of two bytes');
     near(state.columns.length, told.columns, 'columns');
     near(state.time, told.time, 'time');
-    for (const name of ['phase', 'beats', 'hertz', 'lift', 'drag', 'flap', 'substeps'])
+    for (const name of ['phase', 'beats', 'hertz', 'lift', 'drag', 'flap', 'abdomen', 'substeps'])
       near(column[name], told[name], name);
     near(column.wings.length, told.wings.length, 'wings');
     told.wings.forEach((wing, w) => {
@@ -95,16 +95,16 @@ const cases = {
 
   blend() {
     const wing = (x) => ({ reach: 2, force: [x, 2 * x, 0], joints: Float32Array.of(x, 0), loads: Float32Array.of(-x), places: Int16Array.of(100 * x, 0, 0, 7 * x), normals: Int8Array.of(0, 10 * x, 0, 0) });
-    const at = (x) => ({ time: x, columns: [{ phase: x, lift: x, drag: 10 * x, flap: -x, wings: [wing(x)] }] });
+    const at = (x) => ({ time: x, columns: [{ phase: x, lift: x, drag: 10 * x, flap: -x, abdomen: 2 * x, wings: [wing(x)] }] });
     const [column] = blend(at(1), at(3), 0.25).columns, [between] = column.wings;
-    all([column.lift, column.drag, column.flap, column.phase], [1.5, 15, -1.5, 1], 'column');
+    all([column.lift, column.drag, column.flap, column.abdomen, column.phase], [1.5, 15, -1.5, 3, 1], 'column');
     all([...between.force, between.joints[0], between.loads[0], between.places[0], between.normals[1]], [1.5, 3, 0, 1.5, -1.5, 150, 15], 'wing');
     near(between.places[3], 7, 'packed numbers are those of the earlier state');
   },
 
   async sheets() {
     // Two columns of two rows of three points, the second without a wake yet.
-    const column = (sheets) => [...new Uint8Array(28), 0, 0, 0, 0, ...u32(sheets)], u32 = (...values) => new Uint8Array(Uint32Array.from(values).buffer);
+    const column = (sheets) => [...new Uint8Array(32), 0, 0, 0, 0, ...u32(sheets)], u32 = (...values) => new Uint8Array(Uint32Array.from(values).buffer);
     const f32 = (...values) => new Uint8Array(Float32Array.from(values).buffer);
     const points = Int16Array.from({ length: 24 }, (_, k) => k % 4 === 3 ? (k < 12 ? 32767 : -16384) : 1000 * k);
     const made = Uint8Array.from([...u32(MAGIC, 2, 0, 0, 7, 1), ...column(1), ...u32(2, 3), ...f32(0.5, 0.04), ...new Uint8Array(points.buffer), ...column(0)]);

@@ -189,6 +189,9 @@ namespace Alate
         /// <summary>Time within the last step at which the wings were last drawn, 0 its start, 1 its end.</summary>
         internal float DrawnAlpha => WingSystem.Loop.DrawnAlpha(Live.Clock);
 
+        /// <summary>Phase of the first wing's beat as the wings were last drawn, degrees.</summary>
+        internal float DrawnPhase => Phase - 360f * Frequency * WingSystem.Loop.DrawnBehind(Live.Clock);
+
         internal void TellBeat()
         {
             try

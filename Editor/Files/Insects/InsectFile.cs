@@ -247,6 +247,8 @@ namespace Alate.Files
             centre = FilePlace.Read(said[InsectKeys.Centre]),
             halfAxes = FilePlace.Read(said[InsectKeys.HalfAxes]),
             share = FileNumber.ToPreset(said[InsectKeys.MassShare].Text, 1m),
+            swing = said[InsectKeys.Swing] is { } swing ? FileNumber.ToPreset(swing.Text, 1m) : 0f,
+            lowestPhase = said[InsectKeys.Lowest] is { } lowest ? FileNumber.ToPreset(lowest.Text, 1m) : 0f,
         };
 
         private InsectSource[] Sources() =>

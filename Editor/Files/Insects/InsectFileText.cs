@@ -125,6 +125,12 @@ namespace Alate.Files
             said.Add(InsectKeys.Centre, FileValue.Of(part.centre));
             said.Add(InsectKeys.HalfAxes, FileValue.Of(part.halfAxes));
             said.Add(InsectKeys.MassShare, FileValue.Number(part.share, 1m));
+            if (part.swing != 0f)
+            {
+                said.Add(InsectKeys.Swing, FileValue.Number(part.swing, 1m));
+                said.Add(InsectKeys.Lowest, FileValue.Number(part.lowestPhase, 1m));
+            }
+
             return said.ToPlace();
         }
 

@@ -18,7 +18,8 @@ namespace Alate.Files
             Hinge = "hingeMillimetres", Mesh = "mesh", Skeleton = "skeleton", Texture = "texture",
             Flexural = "flexuralStiffnessNewtonSquareMetres", Torsional = "torsionalStiffnessNewtonSquareMetres",
             VeinWidths = "veinWidthsMillimetres", Scale = "scale", MeshUnit = "meshUnitMillimetres", Parts = "parts",
-            Centre = "centreMillimetres", HalfAxes = "halfAxesMillimetres", MassShare = "massShare", Quantity = "quantity", Value = "value",
+            Centre = "centreMillimetres", HalfAxes = "halfAxesMillimetres", MassShare = "massShare", Swing = "swingDegrees",
+            Lowest = "lowestPhaseDegrees", Quantity = "quantity", Value = "value",
             Source = "source", Variant = "variant", Beat = "beat", Rest = "rest", Frequency = "frequencyHertz",
             FrequencyFloor = "frequencyFloor", FlapRange = "flapRangeDegrees", AmplitudeFloor = "amplitudeFloor";
 
@@ -90,7 +91,11 @@ namespace Alate.Files
             new FileKey(MassShare, new NumberShape(0m, 1000m, ""), "Share of the mass without wings; weighed against the sum of all.")
             {
                 IsNeeded = true,
-            });
+            },
+            new FileKey(Swing, new NumberShape(0m, 45m, "degrees"),
+                "Half of the swing up and down about its front end with every beat: of the abdomen. Without it the part is held."),
+            new FileKey(Lowest, new NumberShape(-360m, 360m, "degrees"),
+                "Phase of the beat in which a part that swings hangs lowest; 0, where the wings are up, without it."));
 
         /// <summary>The body.</summary>
         public static ObjectShape BodyKeys { get; } = new ObjectShape(

@@ -19,6 +19,8 @@ namespace Alate.Editor
         {
             var parts = InsectParts.Make(species, keepPixels: true);
             parts.BodyMesh = Keep(parts.BodyMesh, "body mesh");
+            if (parts.AbdomenMesh != null)
+                parts.AbdomenMesh = Keep(parts.AbdomenMesh, "abdomen mesh");
             parts.BodyMaterial = KeepMaterial(parts.BodyMaterial, "body material");
             foreach (GeneratedWing wing in parts.Wings)
             {

@@ -33,10 +33,12 @@ namespace Alate.Tests.Bakes
         public (double Distance, double Angle) Compare(double turns, float3[] positions, float3[] normals)
         {
             int next = m_Flight.Insect.Body.VertexCount;
+            float3[] body = m_Flight.Insect.Abdomen?.Pose(m_Flight.AbdomenAt(turns)).Positions
+                ?? Array.ConvertAll(m_Flight.Insect.Body.positions, place => (float3)place);
             float moved = 0f;
             for (int vertex = 0; vertex < next; vertex++)
-                moved = Math.Max(moved, math.distance(positions[vertex], ToGltf(m_Flight.Insect.Body.positions[vertex])));
-            Assert.That(moved, Is.LessThan(1e-6f), "the body stands still");
+                moved = Math.Max(moved, math.distance(positions[vertex], ToGltf(body[vertex])));
+            Assert.That(moved, Is.LessThan(2e-5f), "the body stands still, but for an abdomen that swings");
             double distance = 0.0, angle = 0.0;
             foreach (RecordedWing wing in m_Flight.Wings)
             {

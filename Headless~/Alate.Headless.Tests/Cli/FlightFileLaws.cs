@@ -72,7 +72,7 @@ public sealed class FlightFileLaws
 
         Assert.That(animation.GetProperty("name").GetString(), Is.EqualTo("flight"));
         Assert.That(file.Root.GetProperty("nodes")[root].GetProperty("name").GetString(), Is.EqualTo("monarch"), "all of it moves");
-        Assert.That(animation.GetProperty("channels").GetArrayLength(), Is.EqualTo(4), "way, turn, and two wings");
+        Assert.That(animation.GetProperty("channels").GetArrayLength(), Is.EqualTo(5), "way, turn, two wings, and the abdomen");
         Assert.That(file.Read(animation.GetProperty("samplers")[0].GetProperty("input").GetInt32()),
             Is.EqualTo(moments.Select(at => at.Time)).Within(1e-6));
         for (int k = 0; k < moments.Length; k++)

@@ -153,7 +153,9 @@ namespace Alate.Tests.Cli
                     "times have bounds");
             }
 
-            JsonElement turn = channels.Single(channel => channel.GetProperty("target").GetProperty("path").GetString() == "rotation");
+            int root = file.Root.GetProperty("nodes").EnumerateArray().Count() - 1;
+            JsonElement turn = channels.Single(channel => channel.GetProperty("target").GetProperty("path").GetString() == "rotation"
+                && channel.GetProperty("target").GetProperty("node").GetInt32() == root);
             double[] rotations = file.Read(
                 animation.GetProperty("samplers")[turn.GetProperty("sampler").GetInt32()].GetProperty("output").GetInt32());
             for (int k = 0; k < rotations.Length; k += 4)

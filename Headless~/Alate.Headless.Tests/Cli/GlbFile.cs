@@ -93,11 +93,13 @@ namespace Alate.Tests.Cli
         /// <summary>The only primitive of the mesh of the node of this name.</summary>
         public JsonElement Primitive(string node)
         {
-            JsonElement found = Root.GetProperty("nodes").EnumerateArray()
-                .Single(candidate => candidate.GetProperty("name").GetString() == node);
-            JsonElement mesh = Root.GetProperty("meshes")[found.GetProperty("mesh").GetInt32()];
+            JsonElement mesh = Root.GetProperty("meshes")[Node(node).GetProperty("mesh").GetInt32()];
             return mesh.GetProperty("primitives").EnumerateArray().Single();
         }
+
+        /// <summary>The node of this name.</summary>
+        public JsonElement Node(string name) => Root.GetProperty("nodes").EnumerateArray()
+            .Single(candidate => candidate.GetProperty("name").GetString() == name);
 
         private double Component(int type, int at, bool isNormalised)
         {

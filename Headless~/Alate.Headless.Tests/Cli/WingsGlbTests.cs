@@ -3,7 +3,9 @@ using System.Collections.Generic;
 using System.IO;
 using System.Linq;
 using System.Text.Json;
+using Alate.Catalogue;
 using Alate.Cli;
+using Alate.Flight;
 using NUnit.Framework;
 using Unity.Mathematics;
 using Unity.StandIns;
@@ -130,11 +132,38 @@ namespace Alate.Tests.Cli
         }
 
         [Test]
+        public void TheAbdomen_SwingsOnceABeat_AboutTheAxisAcross()
+        {
+            JsonElement animation = m_File.Root.GetProperty("animations")[0];
+            int node = m_File.Root.GetProperty("nodes").EnumerateArray().ToList()
+                .FindIndex(candidate => candidate.GetProperty("name").GetString() == "abdomen");
+            JsonElement channel = animation.GetProperty("channels").EnumerateArray()
+                .Single(candidate => candidate.GetProperty("target").GetProperty("node").GetInt32() == node);
+            JsonElement sampler = animation.GetProperty("samplers")[channel.GetProperty("sampler").GetInt32()];
+            double[] times = m_File.Read(sampler.GetProperty("input").GetInt32()),
+                turns = m_File.Read(sampler.GetProperty("output").GetInt32());
+            BodyEllipsoid abdomen = InsectCatalogue.Find("monarch").Abdomen;
+
+            Assert.That(channel.GetProperty("target").GetProperty("path").GetString(), Is.EqualTo("rotation"));
+            Assert.That(turns, Has.Length.EqualTo(4 * times.Length));
+            for (int key = 0; key < times.Length; key++)
+            {
+                // The tail, behind, goes up as Y turns towards Z.
+                double up = -abdomen.swing * Math.Cos(2 * Math.PI * times[key] / times[^1] - abdomen.lowestPhase * Math.PI / 180);
+                Assert.That(360 / Math.PI * Math.Atan2(turns[4 * key], turns[4 * key + 3]), Is.EqualTo(up).Within(0.01), $"key {key}");
+                Assert.That((turns[4 * key + 1], turns[4 * key + 2]), Is.EqualTo((0.0, 0.0)));
+            }
+        }
+
+        [Test]
         public void TheInsect_FacesAhead_WithItsRightWingOnItsRight_InMetres()
         {
             float3 right = Mean(Positions(m_File.Primitive(k_Right).GetProperty("attributes")));
             float3 left = Mean(Positions(m_File.Primitive(k_Left).GetProperty("attributes")));
-            float3[] body = Positions(m_File.Primitive(k_Body).GetProperty("attributes"));
+            float3[] body = Positions(m_File.Primitive(k_Body).GetProperty("attributes")), tail = Positions(
+                m_File.Primitive("abdomen").GetProperty("attributes"));
+            float[] hinge = m_File.Node("abdomen").GetProperty("translation").EnumerateArray().Select(value => value.GetSingle()).ToArray();
+            body = [.. body, .. tail.Select(place => place + new float3(hinge[0], hinge[1], hinge[2]))];
 
             // glTF is right-handed and faces +Z, so the right hand lies at −X.
             Assert.That(right.x, Is.InRange(-0.06f, -0.005f));

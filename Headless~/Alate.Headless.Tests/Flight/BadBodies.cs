@@ -48,6 +48,18 @@ namespace Alate.Tests.FreeFlights
         public void PartsWithoutMass_AreNamed() => Assert.That(
             Refusal(m_Insect.Model.Wings, [BodyEllipsoid.Millimetres(0, 0, 0, 2, 2, 4, 0)], 1e-3f), Does.Contain("have no mass"));
 
+        [TestCase(46f, 0f, "swings by 46°, lowest at 0°; allowed are 0 to 45°")]
+        [TestCase(-1f, 0f, "swings by -1°")]
+        [TestCase(float.NaN, 0f, "swings by NaN°")]
+        [TestCase(10f, float.PositiveInfinity, "any finite phase")]
+        public void AnImpossibleSwing_IsNamed(float swing, float lowest, string said) => Assert.That(
+            Refusal(m_Insect.Model.Wings, [s_Thorax, s_Thorax.Swinging(swing, lowest)], 1e-3f), Does.Contain(said));
+
+        [Test]
+        public void TwoPartsThatSwing_AreNamed() => Assert.That(
+            Refusal(m_Insect.Model.Wings, [s_Thorax, s_Thorax.Swinging(10f, 0f), s_Thorax.Swinging(5f, 0f)], 1e-3f),
+            Does.Contain("2 parts of the body swing; only the abdomen can"));
+
         private static string Refusal(IReadOnlyList<FlightWing> wings, IReadOnlyList<BodyEllipsoid> parts, float mass)
         {
             string line = Assert.Throws<ArgumentException>(() => new FlightModel(wings, parts, mass, 1.2f).Dispose()).Message;

@@ -2,6 +2,7 @@ using System;
 using System.Linq;
 using Alate.Catalogue;
 using Alate.Cli;
+using Alate.Flight;
 using NUnit.Framework;
 using Unity.Mathematics;
 
@@ -32,6 +33,10 @@ public sealed class LiveFlightTests
         float3 span = state.Wings[0][0].Joints[4] - state.Wings[0][0].Joints[0];
         Assert.That(state.Flap[0], Is.EqualTo(Math.Atan2(span.y, Math.Sqrt(span.x * span.x + span.z * span.z))).Within(1e-4),
             "radians above the horizontal");
+        BodyEllipsoid abdomen = InsectCatalogue.Find("monarch").Abdomen;
+        double turns = state.Beats[0] - abdomen.lowestPhase / 360.0;
+        double up = -abdomen.swing * Math.PI / 180 * Math.Cos(2 * Math.PI * turns);
+        Assert.That(state.Abdomen[0], Is.EqualTo(up).Within(1e-4), "radians up");
         Assert.That(state.Substeps[0], Is.EqualTo(flight.Wings[0].Parameters.substepsPerBeat));
         Assert.That(state.Hertz[0], Is.EqualTo(10.086f).Within(0.01f));
     }

@@ -101,6 +101,7 @@ public sealed class PageScriptTests : ViewFixture
         lift = state.Lift[0],
         drag = state.Drag[0],
         flap = state.Flap[0],
+        abdomen = state.Abdomen[0],
         substeps = state.Substeps[0],
         wakeColours = new[] { -1f, -0.25f, 0f, 0.5f, 1f }.Select(share => new
         {

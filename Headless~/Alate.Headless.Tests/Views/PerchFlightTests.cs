@@ -79,7 +79,7 @@ public sealed class PerchFlightTests
     [TestCase(true)]
     public void NormalsOfAState_AreUnitVectors(bool lands)
     {
-        const int k_Head = 24, k_Flight = 32, k_Wing = 24;
+        const int k_Head = 24, k_Flight = 36, k_Wing = 24;
         InsectDefinition monarch = InsectCatalogue.Find("monarch");
         using var scene = new SceneInsect(lands ? ViewSettings.Landing(monarch) : ViewSettings.Of(monarch, InsectVariant.Standard));
         var state = new StateBuffer();

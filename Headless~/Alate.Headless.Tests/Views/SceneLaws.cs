@@ -19,6 +19,25 @@ namespace Alate.Tests.Views;
 /// <summary>Messages of the live page beside the objects they tell of, and what they leave behind.</summary>
 public sealed class SceneLaws
 {
+    // The body, and behind it the abdomen from its hinge where it swings.
+    private static void AssertBody(JsonObject scene, SurfaceMesh body)
+    {
+        JsonNode[] parts = [scene["body"], .. scene["abdomen"] is { } abdomen ? [abdomen] : Array.Empty<JsonNode>()];
+        IEnumerable<float3> places = parts.SelectMany(part => Vectors(part["positions"]).Select(place => place + HingeOf(part)));
+        Assert.That(places.Zip(body.positions, (told, own) => math.distance(told, new float3(-own.x, own.y, own.z))),
+            Has.Exactly(body.VertexCount).LessThan(1e-7f));
+        Assert.That(parts.SelectMany(part => Vectors(part["normals"])).Zip(body.normals,
+            (told, own) => math.distance(told, math.normalize(new float3(-own.x, own.y, own.z)))), Is.All.LessThan(1e-5f));
+        Assert.That(parts.SelectMany(part => Read<Color32>(part["colours"])), Is.EqualTo(body.colours));
+        int trunk = Vectors(parts[0]["positions"]).Count();
+        IEnumerable<int> corners = parts.SelectMany((part, k) => Read<int>(part["triangles"]).Select(vertex => vertex + k * trunk));
+        AssertMirrored([.. corners], body.triangles);
+
+        static float3 HingeOf(JsonNode part) => part["hinge"] is { } hinge
+            ? new float3((float)hinge[0], (float)hinge[1], (float)hinge[2])
+            : default;
+    }
+
     [TestCase("monarch")]
     [TestCase("fishfly", Explicit = true, Category = "Long")]
     [TestCase("snailfish", Explicit = true, Category = "Long")]
@@ -38,12 +57,7 @@ public sealed class SceneLaws
         Assert.That((float)scene["reach"], Is.EqualTo(Math.Max(body, reach)).Within(1e-6));
         Assert.That(scene["columns"].AsArray().Select(column => ((string)column["title"], (string)column["description"])),
             Is.EqualTo(ComparisonColumn.All.Select(column => (column.Title, column.Description))));
-        Assert.That(Vectors(scene["body"]["positions"]),
-            Is.EqualTo(insect.Body.positions.Select(place => new float3(-place.x, place.y, place.z))));
-        Assert.That(Vectors(scene["body"]["normals"]).Zip(insect.Body.normals,
-            (told, own) => math.distance(told, math.normalize(new float3(-own.x, own.y, own.z)))), Is.All.LessThan(1e-5f));
-        Assert.That(Read<Color32>(scene["body"]["colours"]), Is.EqualTo(insect.Body.colours));
-        AssertMirrored(Read<int>(scene["body"]["triangles"]), insect.Body.triangles);
+        AssertBody(scene, insect.Body);
         for (int k = 0; k < wings.All.Count; k++)
         {
             RecordedWing wing = wings.All[k];
@@ -64,7 +78,7 @@ public sealed class SceneLaws
         }
 
         JsonObject look = SceneMessage.DetachLook(scene);
-        Assert.That(look.Select(part => part.Key), Is.EqualTo(new[] { "body", "textures", "wings" }));
+        Assert.That(look.Select(part => part.Key), Is.EqualTo(new[] { "body", "abdomen", "textures", "wings" }));
         Assert.That(scene.ContainsKey("body") || scene.ContainsKey("textures") || scene.ContainsKey("wings"), Is.False);
     }
 

@@ -27,6 +27,7 @@ namespace Alate.Tests.Views
                 Lift.Add(Number());
                 Drag.Add(Number());
                 Flap.Add(Number());
+                Abdomen.Add(Number());
                 Substeps.Add(Whole());
                 var wings = new List<Wing>();
                 for (int left = Whole(); left > 0; left--)
@@ -92,6 +93,7 @@ namespace Alate.Tests.Views
         public List<float> Drag { get; } = new List<float>();
 
         public List<float> Flap { get; } = new List<float>();
+        public List<float> Abdomen { get; } = new List<float>();
 
         public List<int> Substeps { get; } = new List<int>();
 

@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Linq;
 using UnityEngine;
 
 namespace Alate.Catalogue
@@ -12,7 +13,7 @@ namespace Alate.Catalogue
     {
         public BodyPart part;
         public BodyPaint paint;
-        public bool isPair;
+        public bool isPair, isAbdomen;
         public int shelf;
     }
 
@@ -25,15 +26,24 @@ namespace Alate.Catalogue
         /// <summary>Adds a part of the middle, itself symmetric.</summary>
         public BodyPatch Add(BodyPart part, BodyPaint paint) => Add(part, paint, false);
 
+        /// <summary>Adds the abdomen, which may swing.</summary>
+        public BodyPatch AddAbdomen(BodyPart part, BodyPaint paint)
+        {
+            BodyPatch patch = Add(part, paint, false);
+            patch.isAbdomen = true;
+            return patch;
+        }
+
         /// <summary>Adds a part of the right side and its twin on the left; both share one patch of the texture.</summary>
         public BodyPatch AddPair(BodyPart right, BodyPaint paint) => Add(right, paint, true);
 
         /// <summary>Adds hair that grew on the right side of a patch; it takes the texture of the skin it grows on.</summary>
         public void AddFur(BodyPatch skin, BodyPart hair, BodyPaint paint) =>
-            m_Patches.Add(new BodyPatch { part = hair, paint = paint, isPair = true, shelf = skin.shelf });
+            m_Patches.Add(new BodyPatch { part = hair, paint = paint, isPair = true, isAbdomen = skin.isAbdomen, shelf = skin.shelf });
 
         /// <summary>Joins all parts to one mesh, millimetres.</summary>
-        public SurfaceMesh Join()
+        /// <param name="abdomen">First vertex of the abdomen, which comes last; the number of all where there is none.</param>
+        public SurfaceMesh Join(out int abdomen)
         {
             Rect[] shelves = UvShelves.Lay(m_Extents);
             var positions = new List<Vector3>();
@@ -41,8 +51,11 @@ namespace Alate.Catalogue
             var uvs = new List<Vector2>();
             var colours = new List<Color32>();
             var triangles = new List<int>();
-            foreach (BodyPatch patch in m_Patches)
+            abdomen = int.MaxValue;
+            foreach (BodyPatch patch in m_Patches.OrderBy(patch => patch.isAbdomen))
             {
+                if (patch.isAbdomen)
+                    abdomen = Mathf.Min(abdomen, positions.Count);
                 Rect shelf = shelves[patch.shelf];
                 Color32[] painted = Colours(patch);
                 foreach (BodyPart part in patch.isPair ? new[] { patch.part, patch.part.Mirrored() } : new[] { patch.part })
@@ -57,6 +70,7 @@ namespace Alate.Catalogue
                 }
             }
 
+            abdomen = Mathf.Min(abdomen, positions.Count);
             return new SurfaceMesh
             {
                 positions = positions.ToArray(),

@@ -41,6 +41,9 @@ namespace Alate.Catalogue
         /// <summary>Parts of the body as the flight sees them, from the middle of the thorax.</summary>
         public IReadOnlyList<BodyEllipsoid> FlightParts { get; internal set; } = System.Array.Empty<BodyEllipsoid>();
 
+        /// <summary>Part of the body that swings with the beat, the abdomen; its swing is 0 where none does.</summary>
+        internal BodyEllipsoid Abdomen => FlightParts.FirstOrDefault(part => part.swing != 0f);
+
         /// <summary>Trim table of an insect that is not of the catalogue, as text; null for that of the catalogue.</summary>
         internal string Trims { get; set; }
 

@@ -68,7 +68,7 @@ namespace Alate.Catalogue
                 Trunk.Through(s_Head, 16, 18), (in BodyPoint point) => Tint.Mix(s_Green, s_Dark, Tint.Below(point.Around, 0.4f, 0.3f)));
             parts.AddPair(
                 Ellipsoid.Around(new Vector3(2.1f, 0.9f, 12.6f), new Vector3(1.9f, 2f, 2.3f), 12, 16), (in BodyPoint point) => s_Eye);
-            parts.Add(Trunk.Through(s_Abdomen, 60, 14, ButterflyParts.Rings(k_AbdomenRings, 0.06f)), Spotted);
+            parts.AddAbdomen(Trunk.Through(s_Abdomen, 60, 14, ButterflyParts.Rings(k_AbdomenRings, 0.06f)), Spotted);
             ButterflyParts.AddLegs(parts, s_Legs, 0.28f, (in BodyPoint point) => s_Dark);
         }
 

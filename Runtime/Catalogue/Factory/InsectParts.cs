@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using Alate.Flight;
 using UnityEngine;
 using Object = UnityEngine.Object;
 
@@ -26,7 +27,8 @@ namespace Alate.Catalogue
     /// <summary>Meshes, skeletons and materials that the insects of one species share; assembles insects of them.</summary>
     internal sealed class InsectParts
     {
-        private const string k_Body = "Body";
+        private const string k_Body = "Body", k_Abdomen = "Abdomen";
+
         private static readonly WingSide[] s_Sides = { WingSide.Right, WingSide.Left };
 
         /// <param name="name">Display name of the insect.</param>
@@ -49,7 +51,7 @@ namespace Alate.Catalogue
                 wings[k].kind = species.Wings[k];
             }
 
-            return new InsectParts(species.DisplayName, wings);
+            return new InsectParts(species.DisplayName, wings) { Swing = species.Abdomen };
         }
 
         /// <summary>Display name of the insect.</summary>
@@ -60,6 +62,12 @@ namespace Alate.Catalogue
 
         /// <summary>The body.</summary>
         public Mesh BodyMesh { get; set; }
+
+        /// <summary>The abdomen, where it swings; else null.</summary>
+        public Mesh AbdomenMesh { get; set; }
+
+        /// <summary>Part of the body that is the abdomen; without a swing where none does.</summary>
+        private BodyEllipsoid Swing { get; set; }
 
         /// <summary>Material with the colours of the body.</summary>
         public Material BodyMaterial { get; set; }
@@ -74,7 +82,12 @@ namespace Alate.Catalogue
             try
             {
                 parts.BodyMaterial = WingMaterial.ForBody(species, WingMaterial.DefaultTextureSize, keepPixels);
-                parts.BodyMesh = species.Body.CreateSurface(InsectDefinition.UnitsPerMetre).ToMesh($"{parts.Name} {k_Body} Mesh");
+                SurfaceMesh abdomen = null;
+                SurfaceMesh body = parts.Swing.swing == 0f
+                    ? species.Body.CreateSurface(InsectDefinition.UnitsPerMetre)
+                    : species.Body.CreateParts(InsectDefinition.UnitsPerMetre, parts.Swing.Hinge, out abdomen);
+                parts.BodyMesh = body.ToMesh($"{parts.Name} {k_Body} Mesh");
+                parts.AbdomenMesh = abdomen?.ToMesh($"{parts.Name} {k_Abdomen} Mesh");
                 foreach (GeneratedWing wing in parts.Wings)
                     Fill(wing, parts.NameOf(wing), keepPixels);
             }
@@ -108,6 +121,8 @@ namespace Alate.Catalogue
             root.SetActive(false);
             InsectWings insect = root.AddComponent<InsectWings>();
             Draw(root.transform, k_Body, BodyMesh, BodyMaterial);
+            if (AbdomenMesh != null)
+                AttachAbdomen(root.transform);
             insect.Wings.Clear();
             insect.Preset = presets[0];
             for (int k = 0; k < Wings.Count; k++)
@@ -150,6 +165,8 @@ namespace Alate.Catalogue
         private IEnumerable<Object> Parts()
         {
             yield return BodyMesh;
+            if (AbdomenMesh != null)
+                yield return AbdomenMesh;
             yield return BodyMaterial;
             foreach (GeneratedWing wing in Wings)
             {
@@ -168,6 +185,15 @@ namespace Alate.Catalogue
             part.skeleton = part.kind.CreateSkeleton(WingSide.Right);
             part.skeleton.name = name + " Skeleton";
             part.mesh = part.kind.CreateSurface(WingSide.Right).ToMesh(name + " Mesh");
+        }
+
+        private void AttachAbdomen(Transform body)
+        {
+            Transform abdomen = Draw(body, k_Abdomen, AbdomenMesh, BodyMaterial).transform;
+            abdomen.localPosition = InsectDefinition.UnitsPerMetre * Swing.Hinge;
+            AbdomenSwing swing = abdomen.gameObject.AddComponent<AbdomenSwing>();
+            swing.Swing = Swing.swing;
+            swing.LowestPhase = Swing.lowestPhase;
         }
 
         private static Wing Attach(Transform body, GeneratedWing part, WingSide side)

@@ -14,6 +14,7 @@ namespace Alate.Catalogue
         [SerializeField] private string m_Name = "";
         [SerializeField] private int m_Users;
         [SerializeField] private Mesh m_BodyMesh;
+        [SerializeField] private Mesh m_AbdomenMesh;
         [SerializeField] private Material m_BodyMaterial;
         [SerializeField] private List<GeneratedWing> m_Wings = new List<GeneratedWing>();
         [SerializeField] private List<Presets> m_Presets = new List<Presets>();
@@ -46,6 +47,7 @@ namespace Alate.Catalogue
             assets.m_Name = parts.Name;
             assets.m_Definition = species;
             assets.m_BodyMesh = parts.BodyMesh;
+            assets.m_AbdomenMesh = parts.AbdomenMesh;
             assets.m_BodyMaterial = parts.BodyMaterial;
             assets.m_Wings.AddRange(parts.Wings);
             return assets;
@@ -81,6 +83,7 @@ namespace Alate.Catalogue
         private InsectParts Parts(InsectParts parts)
         {
             parts.BodyMesh = m_BodyMesh;
+            parts.AbdomenMesh = m_AbdomenMesh;
             parts.BodyMaterial = m_BodyMaterial;
             return parts;
         }

@@ -74,7 +74,7 @@ namespace Alate.Catalogue
         private static void Build(BodyParts parts, HingeSeat seat)
         {
             parts.Add(seat.Press(Trunk.Through(s_Thorax, 18, 20)), (in BodyPoint point) => s_Brown);
-            parts.Add(Trunk.Through(s_Abdomen, 36, 16, ButterflyParts.Rings(k_AbdomenRings, 0.08f)), Lit);
+            parts.AddAbdomen(Trunk.Through(s_Abdomen, 36, 16, ButterflyParts.Rings(k_AbdomenRings, 0.08f)), Lit);
             parts.Add(
                 Ellipsoid.Around(new Vector3(0f, -0.15f, 2.6f), new Vector3(1.15f, 0.75f, 1.3f), 10, 16), (in BodyPoint point) => s_Brown);
             parts.Add(

@@ -93,7 +93,7 @@ namespace Alate.Catalogue
             parts.Add(Trunk.Through(s_Head, 14, 18), Marked);
             parts.AddPair(
                 Ellipsoid.Around(new Vector3(1.75f, 0.35f, 10.9f), new Vector3(0.62f, 0.7f, 0.8f), 8, 12), (in BodyPoint point) => s_Eye);
-            parts.Add(Trunk.Through(s_Abdomen, 50, 16, ButterflyParts.Rings(k_AbdomenRings, 0.1f)), Soft);
+            parts.AddAbdomen(Trunk.Through(s_Abdomen, 50, 16, ButterflyParts.Rings(k_AbdomenRings, 0.1f)), Soft);
             parts.AddPair(Stalk.Along(s_Antenna, t => 0.13f - 0.08f * t, 26, 6), (in BodyPoint point) => s_Dark);
             parts.AddPair(Comb.Along(s_Antenna, k_Teeth, ToothLength, 0.07f, false), (in BodyPoint point) => s_Dark);
             ButterflyParts.AddLegs(parts, s_Legs, 0.24f, (in BodyPoint point) => Tint.Mix(s_Ochre, s_Brown, 2f * point.Along));

@@ -77,7 +77,7 @@ namespace Alate.Catalogue
                 Where = place => !seat.Covers(place),
             };
             parts.AddFur(thorax, coat.GrowOn(thorax.part), Shaggy);
-            BodyPatch abdomen = parts.Add(Trunk.Through(s_Abdomen, 28, 16, ButterflyParts.Rings(k_AbdomenRings, 0.06f)), Ringed);
+            BodyPatch abdomen = parts.AddAbdomen(Trunk.Through(s_Abdomen, 28, 16, ButterflyParts.Rings(k_AbdomenRings, 0.06f)), Ringed);
             var down = new Fur { Count = 50, Length = 0.4f, Radius = 0.05f, Seed = 47, Lay = new Vector3(0f, 0f, -2f) };
             parts.AddFur(abdomen, down.GrowOn(abdomen.part), Ringed);
             AddHead(parts);

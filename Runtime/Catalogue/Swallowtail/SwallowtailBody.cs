@@ -69,7 +69,7 @@ namespace Alate.Catalogue
             BodyPatch thorax = parts.Add(hind.Press(fore.Press(Trunk.Through(s_Thorax, 22, 22))), Striped);
             var fur = new Fur { Count = 110, Length = 0.9f, Radius = 0.1f, Seed = 23, Where = place => place.y > 1.3f || place.y < -1.2f };
             parts.AddFur(thorax, fur.GrowOn(thorax.part), Haired);
-            parts.Add(Trunk.Through(s_Abdomen, 40, 16, ButterflyParts.Rings(k_AbdomenRings, 0.06f)), StripedAbdomen);
+            parts.AddAbdomen(Trunk.Through(s_Abdomen, 40, 16, ButterflyParts.Rings(k_AbdomenRings, 0.06f)), StripedAbdomen);
             ButterflyParts.AddHead(parts, new Vector3(0f, 0.2f, 5.5f), 1.4f, Striped, (in BodyPoint point) => s_Eye);
             ButterflyParts.AddTongue(parts, new Vector3(0f, -0.85f, 7.4f), 0.62f, s_Dark);
             ButterflyParts.AddAntennae(parts, s_Antenna, 0.13f, 0.4f, (in BodyPoint point) => s_Dark);

@@ -29,6 +29,9 @@ namespace Alate.Catalogue
         /// <summary>The middle of the tail's root, wing lengths: the chain of the tail goes through it.</summary>
         private static readonly PlanPoint s_TailRoot = new PlanPoint(0.597, -0.955);
 
+        // Assumed: a monarch's.
+        private const float k_Swing = 13.8f, k_LowestPhase = 42f;
+
         public static InsectDefinition Define()
         {
             WingDefinition fore = ForeWing();
@@ -39,7 +42,7 @@ namespace Alate.Catalogue
                 {
                     BodyEllipsoid.Millimetres(0, 0, 5.6, 1.4, 1.4, 1.4, 0.08),
                     BodyEllipsoid.Millimetres(0, 0, 0, 2.2, 2.5, 4.8, 0.40),
-                    BodyEllipsoid.Millimetres(0, -0.8, -11, 1.75, 1.8, 8.6, 0.52),
+                    BodyEllipsoid.Millimetres(0, -0.8, -11, 1.75, 1.8, 8.6, 0.52).Swinging(k_Swing, k_LowestPhase),
                 },
             };
         }
@@ -158,6 +161,7 @@ namespace Alate.Catalogue
                 new InsectSource("wing lengths", "fore 55 mm, hind 41.6 mm; masses with the square of the length",
                     "chosen: a large Papilio", InsectVariant.Flight),
                 new InsectSource("insect mass", "0.34 g", "chosen: a slender male", InsectVariant.Flight),
+                new InsectSource("abdomen's swing", "±13.8°, lowest at 42° of the beat", "assumed: that of a monarch"),
                 new InsectSource("colours", "yellow and black", "drawn by us"),
             };
         }

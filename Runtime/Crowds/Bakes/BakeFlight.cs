@@ -26,6 +26,8 @@ namespace Alate.Crowds
         private readonly IReadOnlyList<DrawnWing> m_Drawn;
         private readonly IReadOnlyList<BakedWing> m_Wings;
         private readonly BakedSurface m_Surface;
+        private readonly IReadOnlyList<DrawnAbdomen> m_Abdomens;
+        private readonly WingParameters m_First;
         private readonly BakeMotion m_Motion;
         private readonly float m_MaxSpeed;
         private readonly SteadyFlight m_Steady;
@@ -33,21 +35,23 @@ namespace Alate.Crowds
 
         /// <exception cref="BakeException">Parameters out of range, or wings that beat at different rates.</exception>
         public BakeFlight(
-            InsectWings insect, IReadOnlyList<DrawnWing> drawn, IReadOnlyList<BakedWing> wings, BakedSurface surface, BakeMotion motion,
+            InsectWings insect, DrawnInsect drawn, IReadOnlyList<BakedWing> wings, BakedSurface surface, BakeMotion motion,
             SteadyFlight steady,
             float metresPerUnit)
         {
-            m_Drawn = drawn;
+            m_Drawn = drawn.Wings;
+            m_Abdomens = drawn.Abdomens;
             m_Wings = wings;
             m_Surface = surface;
             m_Motion = motion;
+            m_First = ValuesOf(insect, m_Drawn[0]).parameters;
             m_MaxSpeed = new PresetValues(insect.Preset).parameters.maxSpeed;
             m_Steady = steady;
             float told = insect.MotionSettings.metresPerUnit;
             m_Flight = steady == null ? motion.FlightOf(m_MaxSpeed, told, metresPerUnit) : steady.FlightOf(told, metresPerUnit);
             try
             {
-                foreach (DrawnWing wing in drawn)
+                foreach (DrawnWing wing in m_Drawn)
                     m_Handles.Add(Add(insect, wing));
                 CheckFrequencies();
             }
@@ -106,9 +110,12 @@ namespace Alate.Crowds
         /// <summary>Frees the world.</summary>
         public void Dispose() => m_World.Dispose();
 
+        private static PresetValues ValuesOf(InsectWings insect, DrawnWing wing) =>
+            new PresetValues(wing.Wing.Preset == null ? insect.Preset : wing.Wing.Preset);
+
         private WingHandle Add(InsectWings insect, DrawnWing wing)
         {
-            var values = new PresetValues(wing.Wing.Preset == null ? insect.Preset : wing.Wing.Preset);
+            PresetValues values = ValuesOf(insect, wing);
             WingParameters parameters = values.parameters;
             parameters.amplitudeScale *= wing.Wing.AmplitudeScale;
             parameters.phaseLead += Mathf.Deg2Rad * wing.Wing.PhaseLead;
@@ -170,13 +177,16 @@ namespace Alate.Crowds
 
         private BakedFrame Capture()
         {
-            var frame = new BakedFrame(m_Surface.VertexCount, JointCount);
+            var frame = new BakedFrame(m_Surface.VertexCount, WingJoints + m_Abdomens.Count);
             for (int vertex = 0; vertex < frame.Positions.Length; vertex++)
             {
                 frame.Positions[vertex] = m_Surface.Positions[vertex];
                 frame.Normals[vertex] = m_Surface.Normals[vertex];
             }
 
+            WingReading first = m_World.Read(m_Handles[0]);
+            for (int k = 0; k < m_Abdomens.Count; k++)
+                m_Abdomens[k].Pose(frame, WingJoints + k, first.Phase, BeatingShare.Of(first.Amplitude.x, m_First));
             m_World.Skin();
             for (int w = 0; w < m_Handles.Count; w++)
             {
@@ -205,7 +215,7 @@ namespace Alate.Crowds
             }
         }
 
-        private int JointCount
+        private int WingJoints
         {
             get
             {

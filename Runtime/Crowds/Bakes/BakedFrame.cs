@@ -18,7 +18,7 @@ namespace Alate.Crowds
         /// <summary>[vertex] Unit normal.</summary>
         public float3[] Normals { get; }
 
-        /// <summary>[joint of all wings] Position, and rotation out of the rest pose.</summary>
+        /// <summary>[joint of all wings, then of abdomens] Position, and rotation out of the rest pose.</summary>
         public BakedJoint[] Joints { get; }
     }
 }

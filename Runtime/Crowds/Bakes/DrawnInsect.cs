@@ -14,6 +14,7 @@ namespace Alate.Crowds
         private readonly Dictionary<Renderer, int> m_Starts = new Dictionary<Renderer, int>();
         private readonly List<List<int>> m_Triangles = new List<List<int>>();
         private readonly List<BakedPart> m_Parts = new List<BakedPart>();
+        private readonly List<DrawnAbdomen> m_Abdomens = new List<DrawnAbdomen>();
 
         /// <exception cref="BakeException">The insect has a problem; the message says which.</exception>
         public DrawnInsect(InsectWings insect)
@@ -46,6 +47,9 @@ namespace Alate.Crowds
 
         /// <summary>Wings in the order of the insect's list.</summary>
         public List<DrawnWing> Wings { get; } = new List<DrawnWing>();
+
+        /// <summary>Abdomens that swing with the beat.</summary>
+        public IReadOnlyList<DrawnAbdomen> Abdomens => m_Abdomens;
 
         /// <summary>The whole surface at rest.</summary>
         public BakedSurface Surface()
@@ -93,6 +97,9 @@ namespace Alate.Crowds
             int start = m_Positions.Count, count = mesh.vertexCount;
             m_Starts.Add(renderer, start);
             Matrix4x4 toInsect = ToInsect(renderer.transform);
+            AbdomenSwing swing = renderer.GetComponentInParent<AbdomenSwing>(true);
+            if (swing != null && swing.enabled && swing.transform.IsChildOf(m_Insect.transform))
+                m_Abdomens.Add(new DrawnAbdomen(swing, ToInsect(swing.transform), ToInsect(swing.transform.parent), start, count));
             foreach (Vector3 position in mesh.vertices)
                 m_Positions.Add(toInsect.MultiplyPoint3x4(position));
             AppendNormals(mesh, new NormalTransform(toInsect), count);

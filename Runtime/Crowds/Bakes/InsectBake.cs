@@ -19,6 +19,9 @@ namespace Alate.Crowds
         /// <summary>The wings, in the order of the insect's list.</summary>
         public IReadOnlyList<BakedWing> Wings { get; internal set; }
 
+        /// <summary>Abdomens that swing.</summary>
+        public IReadOnlyList<BakedAbdomen> Abdomens { get; internal set; }
+
         /// <summary>The clips.</summary>
         public IReadOnlyList<BakedClip> Clips { get; internal set; }
 
@@ -28,7 +31,7 @@ namespace Alate.Crowds
         /// <summary>Length of the longest wing, units of the insect's space; errors are shares of it.</summary>
         public float WingLength { get; internal set; }
 
-        /// <summary>Joints of all wings.</summary>
+        /// <summary>Joints of all wings and, behind them, of the abdomens.</summary>
         public int JointCount { get; internal set; }
 
         /// <summary>Frames of all clips.</summary>

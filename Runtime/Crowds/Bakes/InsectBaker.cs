@@ -1,5 +1,6 @@
 using System;
 using System.Collections.Generic;
+using System.Linq;
 using Unity.Mathematics;
 
 namespace Alate.Crowds
@@ -54,7 +55,7 @@ namespace Alate.Crowds
             using var flown = FlownInsect.Of(insect, drawn.Wings);
             foreach (BakeMotion motion in motions)
             {
-                using var flight = new BakeFlight(insect, drawn.Wings, wings, surface, motion, flown?.Fly(motion), metresPerUnit);
+                using var flight = new BakeFlight(insect, drawn, wings, surface, motion, flown?.Fly(motion), metresPerUnit);
                 int before = clips.Count;
                 clips.Add(flight.Record(chosen, share => Check(proceeds, motion.Name, (before + share) / motions.Count)));
             }
@@ -67,7 +68,8 @@ namespace Alate.Crowds
                 Clips = clips,
                 MetresPerUnit = metresPerUnit,
                 WingLength = LongestOf(wings),
-                JointCount = joints,
+                Abdomens = drawn.Abdomens.Select((abdomen, k) => abdomen.Describe(joints + k)).ToArray(),
+                JointCount = joints + drawn.Abdomens.Count,
             };
         }
 

@@ -35,6 +35,7 @@ namespace Alate.Crowds
                 Name = bake.Name,
                 Surface = Surface(bake.Surface, reduced, placeOf),
                 Wings = Map(bake.Wings, wing => Wing(wing, placeOf)),
+                Abdomens = Array.Empty<BakedAbdomen>(),
                 Clips = Map(bake.Clips, clip => Clip(clip, reduced.Vertices)),
                 MetresPerUnit = bake.MetresPerUnit,
                 WingLength = bake.WingLength,

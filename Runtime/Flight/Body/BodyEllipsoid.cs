@@ -7,6 +7,9 @@ namespace Alate.Flight
     [Serializable]
     public struct BodyEllipsoid
     {
+        /// <summary>Largest half of a swing, degrees.</summary>
+        internal const float MostSwing = 45f;
+
         /// <summary>Middle from the middle of the thorax, metres: X right, Y up, Z ahead.</summary>
         [Tooltip("Metres from the middle of the thorax: X right, Y up, Z ahead.")]
         public Vector3 centre;
@@ -19,6 +22,17 @@ namespace Alate.Flight
         [Tooltip("Share of the body's mass without wings.")]
         public float share;
 
+        /// <summary>
+        /// Half of the swing up and down about its front end with every beat, degrees, 0 to 45; of one part, the abdomen. 0 holds it. It
+        /// is shown, and with <see cref="ModelOptions.bodyReaction"/> its inertia moves the body.
+        /// </summary>
+        [Tooltip("Half of the swing up and down about its front end with every beat, degrees: of the abdomen. 0 holds it.")]
+        public float swing;
+
+        /// <summary>Phase of the beat in which a part that swings hangs lowest, degrees: 0 where the wings are up.</summary>
+        [Tooltip("Phase of the beat in which a part that swings hangs lowest, degrees: 0 where the wings are up.")]
+        public float lowestPhase;
+
         /// <summary>Ellipsoid in millimetres.</summary>
         public static BodyEllipsoid Millimetres(
             double x, double y, double z, double a, double b, double c, double share) => new BodyEllipsoid
@@ -30,6 +44,27 @@ namespace Alate.Flight
 
         /// <summary>The ellipsoid in an insect of another size.</summary>
         internal BodyEllipsoid Scaled(float size) =>
-            new BodyEllipsoid { centre = size * centre, halfAxes = size * halfAxes, share = share };
+            new BodyEllipsoid
+            {
+                centre = size * centre,
+                halfAxes = size * halfAxes,
+                share = share,
+                swing = swing,
+                lowestPhase = lowestPhase,
+            };
+
+        /// <summary>The ellipsoid, swinging with the beat.</summary>
+        /// <param name="degrees">Half of the swing.</param>
+        /// <param name="lowest">Phase in which it hangs lowest, degrees.</param>
+        internal BodyEllipsoid Swinging(float degrees, float lowest)
+        {
+            BodyEllipsoid swinging = this;
+            swinging.swing = degrees;
+            swinging.lowestPhase = lowest;
+            return swinging;
+        }
+
+        /// <summary>Front end, about which a part swings, metres from the middle of the thorax.</summary>
+        internal readonly Vector3 Hinge => centre + new Vector3(0f, 0f, halfAxes.z);
     }
 }

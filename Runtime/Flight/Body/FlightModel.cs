@@ -17,6 +17,7 @@ namespace Alate.Flight
         private const float k_SwimShare = 0.25f;
 
         private readonly BodyMasses m_Hull;
+        private readonly BodyAbdomen m_Abdomen;
 
         /// <summary>Makes the model; flies the wings some beats on the spot to see where their mass lies on average.</summary>
         /// <param name="wings">All wings, right and left.</param>
@@ -45,12 +46,13 @@ namespace Alate.Flight
             foreach (FlightWing wing in wings)
                 sum.Add(wing.Mass, WingMass.Of(wing), wing.Length * wing.Axes, wing.Hinge);
             double wingMass = sum.Mass;
-            AddParts(sum, parts, mass - wingMass);
+            AddParts(sum, parts, mass - wingMass, _ => true);
             Centre = sum.Centre;
             Inertia = sum.Inertia;
             var hull = new MassSum();
-            AddParts(hull, parts, mass - wingMass);
+            AddParts(hull, parts, mass - wingMass, part => part.swing == 0f);
             m_Hull = hull.About(Centre);
+            m_Abdomen = AbdomenOf(parts, mass - wingMass);
         }
 
         /// <summary>All wings.</summary>
@@ -118,6 +120,7 @@ namespace Alate.Flight
             mass = Mass,
             inertia = Inertia,
             hull = m_Hull,
+            abdomen = m_Abdomen,
             reacts = AllReact() ? 1 : 0,
             drag = Drag,
             weight = EarthGravity.Down * GravityShare,
@@ -186,6 +189,12 @@ namespace Alate.Flight
                 key.Add(part.centre);
                 key.Add(part.halfAxes);
                 key.Add(part.share);
+                // A body that does not feel its masses move does not feel the swing either.
+                if (part.swing != 0f && AllReact())
+                {
+                    key.Add(part.swing);
+                    key.Add(part.lowestPhase);
+                }
             }
 
             foreach (FlightWing wing in Wings)
@@ -193,13 +202,38 @@ namespace Alate.Flight
             return key.Value;
         }
 
-        private static void AddParts(MassSum sum, IReadOnlyList<BodyEllipsoid> parts, double mass)
+        private static void AddParts(MassSum sum, IReadOnlyList<BodyEllipsoid> parts, double mass, Predicate<BodyEllipsoid> counts)
         {
             double whole = 0.0;
             foreach (BodyEllipsoid part in parts)
                 whole += part.share;
             foreach (BodyEllipsoid part in parts)
-                sum.Add(mass * part.share / whole, part.centre, part.halfAxes);
+            {
+                if (counts(part))
+                    sum.Add(mass * part.share / whole, part.centre, part.halfAxes);
+            }
+        }
+
+        private BodyAbdomen AbdomenOf(IReadOnlyList<BodyEllipsoid> parts, double mass)
+        {
+            var own = new MassSum();
+            AddParts(own, parts, mass, part => part.swing != 0f);
+            foreach (BodyEllipsoid part in parts)
+            {
+                if (part.swing == 0f)
+                    continue;
+                return new BodyAbdomen
+                {
+                    mass = (float)own.Mass,
+                    inertia = own.Inertia,
+                    hinge = (float3)part.Hinge - Centre,
+                    arm = part.centre - part.Hinge,
+                    amplitude = math.radians(part.swing),
+                    lowest = math.radians(part.lowestPhase),
+                };
+            }
+
+            return default;
         }
 
         private float3 DragOf(IReadOnlyList<BodyEllipsoid> parts)
@@ -226,6 +260,7 @@ namespace Alate.Flight
             if (parts == null || parts.Count == 0)
                 throw new ArgumentException("A body needs at least one part with mass.", nameof(parts));
             float carried = 0f, shares = 0f;
+            int swinging = 0;
             foreach (FlightWing wing in wings)
                 carried += wing.Mass;
             foreach (BodyEllipsoid part in parts)
@@ -236,8 +271,19 @@ namespace Alate.Flight
                     throw new ArgumentException(
                         "A part of the body needs a finite centre, half axes above 0 and a share of at least 0.", nameof(parts));
                 }
+
+                if (!(part.swing >= 0f && part.swing <= BodyEllipsoid.MostSwing) || !math.isfinite(part.lowestPhase))
+                {
+                    throw new ArgumentException(
+                        $"A part of the body swings by {part.swing}°, lowest at {part.lowestPhase}°; allowed are 0 to "
+                        + $"{BodyEllipsoid.MostSwing}° and any finite phase.", nameof(parts));
+                }
+
+                swinging += part.swing == 0f ? 0 : 1;
             }
 
+            if (swinging > 1)
+                throw new ArgumentException($"{swinging} parts of the body swing; only the abdomen can: give the others 0.", nameof(parts));
             if (!(shares > 0f))
                 throw new ArgumentException("The parts of the body have no mass: their shares must sum to more than 0.", nameof(parts));
             if (!(mass > carried) || float.IsInfinity(mass))

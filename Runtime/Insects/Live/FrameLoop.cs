@@ -44,6 +44,9 @@ namespace Alate
         /// <summary>Time within the last step of a clock that was drawn last, 0 its start, 1 its end.</summary>
         public float DrawnAlpha(WingUpdateMode clock) => m_Clocks.times[clock].alpha;
 
+        /// <summary>Time by which the picture is behind the last step of a clock, seconds.</summary>
+        public float DrawnBehind(WingUpdateMode clock) => (1f - m_Clocks.times[clock].alpha) * m_Clocks.times[clock].length;
+
         /// <summary>Step jobs scheduled so far.</summary>
         public long StepCount { get; private set; }
 

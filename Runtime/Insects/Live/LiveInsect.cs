@@ -46,6 +46,9 @@ namespace Alate
         /// <summary>The level of detail now.</summary>
         public WingDetail Detail => m_PackKey.detail;
 
+        /// <summary>True where its meshes are deformed.</summary>
+        public bool IsSkinned => m_Skinned;
+
         /// <summary>Pitch of the body, radians, nose up positive.</summary>
         public float Pitch => flight.Pitch;
 

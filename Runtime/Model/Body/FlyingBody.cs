@@ -6,7 +6,7 @@ namespace Alate
     /// A body that its wings carry: what it is, how it moves, what it follows. SI units; world axes unless said otherwise.
     /// </summary>
     /// <remarks>
-    /// 680 bytes a body: what it is, how it moves and what its feedback remembers in one piece, because a substep of one body reads most of
+    /// 752 bytes a body: what it is, how it moves and what its feedback remembers in one piece, because a substep of one body reads most of
     /// it. Bodies are few beside wings, and each turns differently: they are not laid out in lanes.
     /// </remarks>
     internal unsafe struct FlyingBody
@@ -28,8 +28,11 @@ namespace Alate
         /// <summary>1 where the inertia of the wings moves the body.</summary>
         public int reacts;
 
-        /// <summary>Masses of the body without its wings.</summary>
+        /// <summary>Masses of the body without its wings and what swings of it.</summary>
         public BodyMasses hull;
+
+        /// <summary>The abdomen, where it swings.</summary>
+        public BodyAbdomen abdomen;
 
         /// <summary>Masses of body and wings at the end of the last substep, and 1 where they are known.</summary>
         public BodyMasses masses;

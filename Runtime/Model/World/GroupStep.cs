@@ -209,6 +209,8 @@ namespace Alate
             BodyMasses now = body.hull;
             for (int k = 0; k < body.wingCount; k++)
                 now.Add(lists.wings[body.firstWing + k], lists.packs[lists.wings[body.firstWing + k].pack]);
+            BeatState* beat = lists.Beat(body, out int lane);
+            body.abdomen.AddTo(ref now, beat->phase[lane], beat->rate[lane]);
             if (flies)
             {
                 BodyReaction.Step(ref body, air, now, h);
@@ -224,7 +226,6 @@ namespace Alate
 
             float* point = stackalloc float[TrimPoint.Floats];
             body.table.Read(body.reference.airSpeed, body.reference.climb, point);
-            BeatState* beat = lists.Beat(body, out int lane);
             BodyReaction.Hold(ref body, point, beat->phase[lane], h * beat->rate[lane], now, h);
         }
 

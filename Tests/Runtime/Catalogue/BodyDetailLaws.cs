@@ -198,7 +198,7 @@ namespace Alate.Tests
             BodyPatch middle = parts.Add(Ellipsoid.Around(default, new Vector3(2f, 2f, 2f), 8, 8), Paint);
             parts.AddPair(Ellipsoid.Around(new Vector3(6f, 0f, 0f), new Vector3(1f, 1f, 3f), 8, 8), Paint);
             parts.AddFur(middle, new Fur { Count = 5, Length = 0.5f, Radius = 0.1f }.GrowOn(middle.part), Paint);
-            SurfaceMesh body = parts.Join();
+            SurfaceMesh body = parts.Join(out _);
 
             Assert.That(seen, Has.Count.EqualTo(58 + 58 + 20));
             Assert.That(seen.Take(58), Is.All.Matches<BodyPoint>(point => point.Place.x >= 0f && point.Normal.x >= -1e-6f),
@@ -226,7 +226,7 @@ namespace Alate.Tests
             var parts = new BodyParts();
             Color32 Plain(in BodyPoint point) => new Color32(1, 2, 3, 255);
             ButterflyParts.AddTongue(parts, new Vector3(0f, -1f, 2f), 0.5f, new Color32(9, 8, 7, 255));
-            SurfaceMesh tongue = parts.Join();
+            SurfaceMesh tongue = parts.Join(out _);
             double turns = 0.0, before = double.NaN, nearest = double.MaxValue, farthest = 0.0;
             for (int ring = 0; ring < 43; ring++)
             {
@@ -249,7 +249,7 @@ namespace Alate.Tests
 
             var head = new BodyParts();
             ButterflyParts.AddHead(head, new Vector3(0f, 1f, 4f), 2f, Plain, Plain);
-            SurfaceMesh made = head.Join();
+            SurfaceMesh made = head.Join(out _);
             List<List<int>> pieces = BodyPieces.Of(made);
             Assert.That(pieces, Has.Count.EqualTo(5), "a face, two eyes, two palps");
             Bounds face = BodyPieces.BoundsOf(made, pieces[0]);
@@ -270,7 +270,7 @@ namespace Alate.Tests
             Color32 Plain(in BodyPoint point) => default;
             Vector3[] straight = { new Vector3(1f, 0f, 0f), new Vector3(1f, 0f, 10f), new Vector3(1f, 0f, 20f), new Vector3(1f, 0f, 30f) };
             ButterflyParts.AddAntennae(parts, straight, 0.1f, 0.4f, Plain);
-            SurfaceMesh made = parts.Join();
+            SurfaceMesh made = parts.Join(out _);
 
             Assert.That(BodyPieces.Of(made), Has.Count.EqualTo(2));
             foreach (Vector3 place in made.positions.Take(made.positions.Length / 2).Where(place => place.z > 0.01f && place.z < 29.99f))

@@ -36,6 +36,35 @@ namespace Alate.Tests
         }
 
         [TestCaseSource(nameof(All))]
+        public void TrunkAndAbdomen_AreTheWholeBody(InsectDefinition species)
+        {
+            SurfaceMesh body = BodyOf(species);
+            var hinge = new Vector3(0f, -1e-3f, -2e-3f);
+            SurfaceMesh trunk = species.Body.CreateParts(k_Millimetres, hinge, out SurfaceMesh abdomen);
+            Assert.That(abdomen == null, Is.EqualTo(species.Name == "snailfish"), "a fish has no abdomen of its own");
+            if (abdomen == null)
+            {
+                Assert.That(trunk.positions, Is.EqualTo(body.positions));
+                return;
+            }
+
+            Vector3[] back = Array.ConvertAll(abdomen.positions, position => position + k_Millimetres * hinge);
+            for (int vertex = 0; vertex < body.VertexCount; vertex++)
+            {
+                Vector3 place = vertex < trunk.VertexCount ? trunk.positions[vertex] : back[vertex - trunk.VertexCount];
+                Assert.That(Vector3.Distance(place, body.positions[vertex]), Is.LessThan(1e-5f));
+            }
+
+            Assert.That(trunk.triangles.Length + abdomen.triangles.Length, Is.EqualTo(body.triangles.Length));
+            foreach (SurfaceMesh part in new[] { trunk, abdomen })
+            {
+                Assert.That(part.triangles, Is.All.GreaterThanOrEqualTo(0).And.All.LessThan(part.VertexCount));
+                Assert.That((part.normals.Length, part.uvs.Length, part.colours.Length),
+                    Is.EqualTo((part.VertexCount, part.VertexCount, part.VertexCount)));
+            }
+        }
+
+        [TestCaseSource(nameof(All))]
         public void EveryPart_FacesOutwards(InsectDefinition species)
         {
             SurfaceMesh body = BodyOf(species);

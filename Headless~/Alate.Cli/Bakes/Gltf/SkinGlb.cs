@@ -55,6 +55,12 @@ internal sealed class SkinGlb
             }
         }
 
+        foreach (BakedAbdomen abdomen in m_Bake.Abdomens)
+        {
+            m_NodeOf[abdomen.Joint] = AddNode(abdomen.Name, m_Joints.Rest[abdomen.Joint], []);
+            wings.Add(m_NodeOf[abdomen.Joint]);
+        }
+
         // glTF has no empty lists.
         foreach (JsonObject node in m_Scene.Nodes.OfType<JsonObject>().Where(node => ((JsonArray)node["children"]).Count == 0))
             node.Remove("children");
@@ -67,7 +73,7 @@ internal sealed class SkinGlb
         return m_Scene.Nodes.Count - 1;
     }
 
-    // The joints of the skin are the root and then all joints of the wings, as they are counted.
+    // The joints of the skin are the root and then all joints of the bake, as they are counted.
     private JsonObject Skin() => new()
     {
         ["name"] = m_Bake.Name,

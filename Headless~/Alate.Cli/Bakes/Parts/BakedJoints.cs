@@ -4,7 +4,7 @@ namespace Alate.Cli;
 
 /// <summary>
 /// Joints of a baked insect for files with skins: each chain of a wing hangs from the root, a vertex follows the four joints around it,
-/// blended in a straight line, and what no wing moves follows the root. glTF's axes, metres.
+/// blended in a straight line, an abdomen that swings follows its own, and what nothing moves the root. glTF's axes, metres.
 /// </summary>
 internal sealed class BakedJoints
 {
@@ -26,9 +26,16 @@ internal sealed class BakedJoints
                 Rest[of] = Place(wing.RestJoints[joint]);
             }
         }
+
+        foreach (BakedAbdomen abdomen in bake.Abdomens)
+        {
+            Names[abdomen.Joint] = abdomen.Name;
+            Parents[abdomen.Joint] = -1;
+            Rest[abdomen.Joint] = Place(abdomen.Hinge);
+        }
     }
 
-    /// <summary>[joint] Name: the wing's, its chain, its place along it.</summary>
+    /// <summary>[joint] Name: the wing's, its chain, its place along it; or the abdomen's.</summary>
     public string[] Names { get; }
 
     /// <summary>[joint] The joint before it on its chain; −1 for the root.</summary>
@@ -40,7 +47,7 @@ internal sealed class BakedJoints
     /// <summary>Place at rest as seen from the joint before it.</summary>
     public float3 RestBehind(int joint) => Parents[joint] < 0 ? Rest[joint] : Rest[joint] - Rest[Parents[joint]];
 
-    /// <summary>[vertex] Four joints, 0 for the root and those of the wings from 1, and their shares.</summary>
+    /// <summary>[vertex] Four joints, 0 for the root and those of the bake from 1, and their shares.</summary>
     public (int4[] Joints, float4[] Weights) Influences()
     {
         var joints = new int4[m_Bake.Surface.VertexCount];
@@ -57,6 +64,8 @@ internal sealed class BakedJoints
             }
         }
 
+        foreach (BakedAbdomen abdomen in m_Bake.Abdomens)
+            Array.Fill(joints, new int4(abdomen.Joint + 1, 0, 0, 0), abdomen.FirstVertex, abdomen.VertexCount);
         return (joints, weights);
     }
 

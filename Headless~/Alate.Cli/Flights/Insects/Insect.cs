@@ -5,12 +5,13 @@ namespace Alate.Cli;
 /// <summary>Insect to fly: its wings, each kind once, and its body.</summary>
 internal sealed class Insect
 {
-    private Insect(string name, string displayName, IReadOnlyList<InsectWing> wings, SurfaceMesh body)
+    private Insect(string name, string displayName, IReadOnlyList<InsectWing> wings, InsectDefinition definition)
     {
         Name = name;
         DisplayName = displayName;
         Wings = wings;
-        Body = body;
+        Body = definition.Body.CreateSurface(1f);
+        Abdomen = InsectAbdomen.Of(definition, Body);
     }
 
     /// <summary>The species, or the name of the mesh's file.</summary>
@@ -22,6 +23,9 @@ internal sealed class Insect
 
     /// <summary>The body, metres.</summary>
     public SurfaceMesh Body { get; }
+
+    /// <summary>The abdomen that swings; null for none.</summary>
+    public InsectAbdomen Abdomen { get; }
 
     /// <summary>The insect of a plan.</summary>
     /// <exception cref="UserException">An unknown species, or files that are no wing.</exception>
@@ -62,7 +66,7 @@ internal sealed class Insect
             });
         }
 
-        return new Insect(definition.Name, definition.DisplayName, wings, definition.Body.CreateSurface(1f));
+        return new Insect(definition.Name, definition.DisplayName, wings, definition);
     }
 
     private static Insect FromFiles(InsectDefinition definition, FlightPlan plan)
@@ -71,7 +75,7 @@ internal sealed class Insect
         var wings = new List<InsectWing> { FromFiles(definition.Wings[0], plan, plan.MeshFile, plan.SkeletonFile, plan.TextureFile) };
         if (plan.HindMeshFile != null)
             wings.Add(FromFiles(definition.Wings[1], plan, plan.HindMeshFile, plan.HindSkeletonFile, plan.HindTextureFile));
-        return new Insect(name, name, wings, definition.Body.CreateSurface(1f));
+        return new Insect(name, name, wings, definition);
     }
 
     private static InsectWing FromFiles(WingDefinition model, FlightPlan plan, string meshFile, string skeletonFile, string textureFile)
@@ -92,7 +96,7 @@ internal sealed class Insect
     public static Insect OfWing(
         InsectDefinition definition, FlightPlan plan, string name, SurfaceMesh surface, Color32[] colours, WingSkeleton skeleton,
         WingTexture picture = null) =>
-        new(name, name, [Own(definition.Wings[0], plan, surface, colours, skeleton, picture)], definition.Body.CreateSurface(1f));
+        new(name, name, [Own(definition.Wings[0], plan, surface, colours, skeleton, picture)], definition);
 
     private static InsectWing Own(
         WingDefinition model, FlightPlan plan, SurfaceMesh surface, Color32[] colours, WingSkeleton skeleton, WingTexture picture) => new()

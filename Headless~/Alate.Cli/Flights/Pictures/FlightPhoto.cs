@@ -9,11 +9,18 @@ internal static class FlightPhoto
     /// <param name="surfaceOf">Looks of the wings, by their numbers, without shadows; null for their own.</param>
     public static PhotoScene Scene(FlightRecord flight, PictureView? view = null, Func<int, RecordedWing, PhotoSurface> surfaceOf = null)
     {
-        float3[] places = Array.ConvertAll(flight.Insect.Body.positions, place => (float3)place);
-        float3[] normals = Array.ConvertAll(flight.Insect.Body.normals, normal => (float3)normal);
-        var body = new PhotoPart(PhotoSurface.Of(flight.Insect.Body), 1f, _ => (places, normals));
+        var body = new PhotoPart(PhotoSurface.Of(flight.Insect.Body), 1f, Body(flight));
         return new PhotoScene(view ?? flight.Plan.View, Reach(flight),
             [body, .. flight.Wings.Select((wing, k) => Part(wing, (surfaceOf ?? Surface)(k + 1, wing)))], surfaceOf == null);
+    }
+
+    private static Func<double, (float3[], float3[])> Body(FlightRecord flight)
+    {
+        if (flight.Insect.Abdomen is { } abdomen)
+            return turns => abdomen.Pose(flight.AbdomenAt(turns));
+        float3[] places = Array.ConvertAll(flight.Insect.Body.positions, place => (float3)place);
+        float3[] normals = Array.ConvertAll(flight.Insect.Body.normals, normal => (float3)normal);
+        return _ => (places, normals);
     }
 
     /// <summary>Farthest that a wing comes from the middle of the thorax, metres.</summary>

@@ -13,6 +13,8 @@ internal sealed class WingsGlb
     private readonly GlbScene m_Scene = new();
     private readonly GlbLooks m_Looks;
     private readonly List<int> m_WingNodes = [];
+    private int m_Abdomen;
+    private Func<double, float4> m_AbdomenAt;
 
     private WingsGlb()
     {
@@ -27,14 +29,17 @@ internal sealed class WingsGlb
     public static void Write(FlightRecord flight, Stream stream, FreeRecord path = null, IGlbLoop beside = null)
     {
         var glb = new WingsGlb();
-        glb.AddBody(flight.Insect.Body);
+        InsectAbdomen abdomen = flight.Insect.Abdomen;
+        glb.AddPart("body", abdomen == null ? flight.Insect.Body : abdomen.Trunk);
+        if (abdomen != null)
+            glb.AddAbdomen(flight);
         foreach (RecordedWing wing in flight.Wings)
             glb.AddWing(wing);
         glb.Finish(flight, path, beside, stream);
     }
 
     // What light passes is a part of its own: a viewer that sorts it against the rest would else spoil the solid part too.
-    private void AddBody(SurfaceMesh body)
+    private int AddPart(string name, SurfaceMesh body)
     {
         float3[] positions = Array.ConvertAll(body.positions, position => FileAxes.ToGltf(position));
         float3[] normals = Array.ConvertAll(body.normals, FileAxes.Unit);
@@ -50,7 +55,24 @@ internal sealed class WingsGlb
                 m_Scene.Primitive(attributes.DeepClone(), indices, positions.Length, m_Looks.Plain(body.colours != null, part.Key)));
         }
 
-        m_Scene.AddNode("body", new JsonObject { ["name"] = "body", ["primitives"] = primitives });
+        return m_Scene.AddNode(name, new JsonObject { ["name"] = name, ["primitives"] = primitives });
+    }
+
+    private void AddAbdomen(FlightRecord flight)
+    {
+        m_Abdomen = AddPart("abdomen", flight.Insect.Abdomen.Surface);
+        float3 hinge = FileAxes.ToGltf(flight.Insect.Abdomen.Hinge);
+        m_Scene.Nodes[m_Abdomen]["translation"] = new JsonArray(hinge.x, hinge.y, hinge.z);
+        m_AbdomenAt = turns => quaternion.RotateX(flight.AbdomenAt(turns)).value;
+    }
+
+    // The mirror image in x turns the same way about x.
+    private void Swing(JsonArray samplers, JsonArray channels, int times, IEnumerable<double> turns)
+    {
+        if (m_AbdomenAt == null)
+            return;
+        samplers.Add(GlbScene.Sampler(times, m_Scene.Buffer.AddQuadruples(turns.Select(m_AbdomenAt).ToList())));
+        channels.Add(GlbScene.Channel(samplers.Count - 1, m_Abdomen, "rotation"));
     }
 
     private void AddWing(RecordedWing wing)
@@ -120,7 +142,10 @@ internal sealed class WingsGlb
         var channels = new JsonArray();
         foreach (int node in m_WingNodes)
             channels.Add(GlbScene.Channel(0, node, "weights"));
-        return new JsonObject { ["name"] = "beat", ["samplers"] = new JsonArray(sampler), ["channels"] = channels };
+        var samplers = new JsonArray(sampler);
+        IEnumerable<double> turns = Enumerable.Range(0, beats * k_KeyFrames + 1).Select(key => (double)key / k_KeyFrames);
+        Swing(samplers, channels, (int)sampler["input"], turns);
+        return new JsonObject { ["name"] = "beat", ["samplers"] = samplers, ["channels"] = channels };
     }
 
     // The whole flight: where the body is, and between which two shapes of the beat its wings are.
@@ -151,6 +176,7 @@ internal sealed class WingsGlb
         var channels = new JsonArray { GlbScene.Channel(1, root, "translation"), GlbScene.Channel(2, root, "rotation") };
         foreach (int node in m_WingNodes)
             channels.Add(GlbScene.Channel(0, node, "weights"));
+        Swing(samplers, channels, times, path.Moments.Select(at => at.Phase / (2.0 * Math.PI)));
         return new JsonObject { ["name"] = "flight", ["samplers"] = samplers, ["channels"] = channels };
     }
 

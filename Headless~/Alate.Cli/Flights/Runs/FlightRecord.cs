@@ -17,4 +17,8 @@ internal sealed class FlightRecord
 
     /// <summary>Time of one substep of all wings of the insect, microseconds, without the first beat.</summary>
     public double MicrosecondsPerSubstep { get; init; }
+
+    /// <summary>Returns the angle of the abdomen above where it does not swing, radians; of an insect that has one.</summary>
+    /// <param name="turns">Beats.</param>
+    public float AbdomenAt(double turns) => Insect.Abdomen.AngleAt(turns, Wings[0].Flap, Wings[0].Parameters);
 }

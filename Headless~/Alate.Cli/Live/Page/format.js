@@ -1,6 +1,6 @@
 // Reads the states that the simulation sends: little-endian, metres, glTF's axes (X to the left of the insect, Y up, Z ahead).
 //   u32 magic, u32 columns, f64 simulated seconds, u32 number, u32 1 with wakes + 2 with places
-//   each column: f32 phase, u32 beats, f32 hertz, f32 lift, f32 drag (weights), f32 flap (radians), u32 substeps of a beat, u32 wings
+//   each column: f32 phase, u32 beats, f32 hertz, f32 lift, f32 drag (weights), f32 flap, f32 abdomen (radians up), u32 substeps of a beat, u32 wings
 //   each wing: u32 vertices, u32 joints, f32 reach, f32 force x 3 (weights), f32 x 3 joints, f32 x 3 loads (weights),
 //              i16 x 4 a vertex: place / reach, and attack in degrees * 256 + stretch in tenths of a per cent; i8 x 4 a vertex: normal
 //   with wakes, behind the wings of each column: u32 sheets, none before the first are done, else as many as wings
@@ -26,7 +26,7 @@ export function decode(buffer) {
     return values;
   };
   for (let left = view.getUint32(4, true); left > 0; left--) {
-    const column = { phase: number(), beats: whole(), hertz: number(), lift: number(), drag: number(), flap: number(), substeps: whole(), wings: [], sheets: [] };
+    const column = { phase: number(), beats: whole(), hertz: number(), lift: number(), drag: number(), flap: number(), abdomen: number(), substeps: whole(), wings: [], sheets: [] };
     for (let wings = whole(); wings > 0; wings--) {
       const vertices = whole(), joints = whole(), reach = number(), force = [number(), number(), number()];
       column.wings.push({
@@ -58,6 +58,7 @@ export function blend(a, b, share) {
       const next = b.columns[c], between = (x, y) => x + share * (y - x);
       return {
         ...column, lift: between(column.lift, next.lift), drag: between(column.drag, next.drag), flap: between(column.flap, next.flap),
+        abdomen: between(column.abdomen, next.abdomen),
         wings: column.wings.map((wing, w) => ({
           ...wing, force: wing.force.map((value, k) => between(value, next.wings[w].force[k])),
           joints: mix(Float32Array, wing.joints, next.wings[w].joints), loads: mix(Float32Array, wing.loads, next.wings[w].loads),

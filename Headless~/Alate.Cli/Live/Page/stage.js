@@ -86,6 +86,11 @@ export class Stage {
       const group = new THREE.Group();
       group.scale.setScalar(1 / scene.reach);
       group.add(this.body(scene.body));
+      const abdomen = scene.abdomen ? this.body(scene.abdomen) : null;
+      if (abdomen) {
+        abdomen.position.fromArray(scene.abdomen.hinge);
+        group.add(abdomen);
+      }
       const wings = scene.wings.map((wing) => this.wing(wing, textures[wing.texture], Boolean(scene.own)));
       const skeleton = new THREE.LineSegments(new THREE.BufferGeometry(), new THREE.LineBasicMaterial({ color: 0xe4572e, depthTest: false, transparent: true }));
       skeleton.renderOrder = 5;
@@ -98,7 +103,7 @@ export class Stage {
       this.scene.add(group);
       if (perch)
         this.scene.add(perch.object);
-      this.columns.push({ group, perch, wings, skeleton, loads, forces, sheets: [], title: column.title });
+      this.columns.push({ group, perch, abdomen, wings, skeleton, loads, forces, sheets: [], title: column.title });
     }
     this.reach = scene.reach;
     return true;
@@ -157,6 +162,8 @@ export class Stage {
   pose(column, from) {
     const { three: THREE, shown } = this, lines = column.skeleton.geometry.getAttribute('position');
     let at = 0, arrow = 0;
+    if (column.abdomen)
+      column.abdomen.rotation.x = from.abdomen;
     column.loads.object.visible = shown.loads;
     column.skeleton.visible = shown.skeleton;
     column.wings.forEach((wing, w) => {

@@ -15,6 +15,7 @@ internal sealed class LiveFlight : IDisposable
     private const double k_LongestPiece = 0.4;
 
     private readonly TetheredWings m_Wings;
+    private readonly InsectAbdomen m_Abdomen;
     private readonly WingFields[] m_Fields;
     private readonly float3[][] m_Positions;
     private readonly float3[] m_Forces, m_Before;
@@ -28,6 +29,7 @@ internal sealed class LiveFlight : IDisposable
     {
         m_Plan = plan;
         m_Wings = new TetheredWings(plan, insect);
+        m_Abdomen = insect.Abdomen;
         m_Wings.RecordPatches();
         m_Fields = m_Wings.All.Select(wing => new WingFields(wing)).ToArray();
         m_Positions = m_Wings.All.Select(wing => new float3[wing.Rest.Length]).ToArray();
@@ -94,6 +96,7 @@ internal sealed class LiveFlight : IDisposable
         buffer.Add(lift);
         buffer.Add(drag);
         buffer.Add(FlapOf(0));
+        buffer.Add(AbdomenAt(turns, first));
         buffer.Add((uint)Wings[0].Parameters.substepsPerBeat);
         buffer.Add((uint)Wings.Count);
         for (int wing = 0; wing < Wings.Count; wing++)
@@ -166,6 +169,10 @@ internal sealed class LiveFlight : IDisposable
         float3 tip = reading.JointPosition(0, reading.JointsPerChain - 1, Alpha) - reading.JointPosition(0, 0, Alpha);
         return math.atan2(tip.y, math.length(tip.xz));
     }
+
+    // Radians above where it does not swing.
+    private float AbdomenAt(double turns, in WingReading reading) =>
+        m_Abdomen?.AngleAt(turns, 2f * reading.Amplitude.x, Wings[0].Parameters) ?? 0f;
 
     private void WriteWing(StateBuffer buffer, int wing)
     {

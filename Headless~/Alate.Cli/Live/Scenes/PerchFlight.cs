@@ -31,6 +31,7 @@ internal sealed class PerchFlight : IDisposable
     private readonly InsectWings m_Insect;
     private readonly InsectFlight m_Flight;
     private readonly PerchPilot m_Pilot;
+    private readonly AbdomenSwing m_Abdomen;
     private readonly IReadOnlyList<RecordedWing> m_Wings;
     private readonly PerchSpot m_Spot;
     private float m_Since = k_Flying;
@@ -55,6 +56,7 @@ internal sealed class PerchFlight : IDisposable
         m_Insect.UpdateMode = WingUpdateMode.Manual;
         m_Insect.Quality.culling = WingCulling.AlwaysSimulate;
         m_Insect.transform.position = place + InsectDefinition.UnitsPerMetre * new Vector3(0f, k_Above, -k_Behind);
+        m_Abdomen = m_Insect.GetComponentInChildren<AbdomenSwing>();
         m_Flight = CatalogueFlight.AddTo(m_Insect, definition);
         m_Pilot = m_Insect.gameObject.AddComponent<PerchPilot>();
         m_Pilot.Seed = 1;
@@ -112,6 +114,7 @@ internal sealed class PerchFlight : IDisposable
         buffer.Add(force.y);
         buffer.Add(-math.dot(force, ahead));
         buffer.Add(0f);
+        buffer.Add(AbdomenAngle());
         buffer.Add((uint)m_Wings[0].Parameters.substepsPerBeat);
         buffer.Add((uint)m_Wings.Count);
         for (int wing = 0; wing < m_Wings.Count; wing++)
@@ -121,6 +124,14 @@ internal sealed class PerchFlight : IDisposable
         buffer.Add(turn.value.xyz);
         buffer.Add(turn.value.w);
         buffer.Add((uint)State);
+    }
+
+    private float AbdomenAngle()
+    {
+        if (m_Abdomen == null)
+            return 0f;
+        Quaternion turn = m_Abdomen.transform.localRotation;
+        return 2f * math.atan2(turn.x, turn.w);
     }
 
     public void Dispose()

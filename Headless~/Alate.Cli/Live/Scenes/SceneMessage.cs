@@ -65,7 +65,8 @@ internal static class SceneMessage
             ["settings"] = Settings(settings),
             ["columns"] = new JsonArray(columns
             .Select(column => (JsonNode)new JsonObject { ["title"] = column.Title, ["description"] = column.Description }).ToArray()),
-            ["body"] = Body(insect.Body),
+            ["body"] = Body(insect.Abdomen?.Trunk ?? insect.Body),
+            ["abdomen"] = insect.Abdomen == null ? null : Abdomen(insect.Abdomen),
             ["textures"] = new JsonArray(
             insect.Wings.Select(wing => wing.Texture == null ? null : (JsonNode)Convert.ToBase64String(wing.Texture.Png)).ToArray()),
             ["wings"] = new JsonArray(wings.Select((wing, k) => (JsonNode)Wing(wing, k / 2)).ToArray()),
@@ -75,7 +76,7 @@ internal static class SceneMessage
     public static JsonObject DetachLook(JsonObject scene)
     {
         var look = new JsonObject();
-        foreach (string name in new[] { "body", "textures", "wings" })
+        foreach (string name in new[] { "body", "abdomen", "textures", "wings" })
         {
             scene.Remove(name, out JsonNode part);
             look[name] = part;
@@ -91,6 +92,14 @@ internal static class SceneMessage
         ["colours"] = Text(body.colours),
         ["triangles"] = Text(Flipped(body.triangles)),
     };
+
+    private static JsonObject Abdomen(InsectAbdomen abdomen)
+    {
+        JsonObject said = Body(abdomen.Surface);
+        float3 hinge = FileAxes.ToGltf(abdomen.Hinge);
+        said["hinge"] = new JsonArray(hinge.x, hinge.y, hinge.z);
+        return said;
+    }
 
     private static JsonObject Wing(RecordedWing wing, int texture) => new()
     {

@@ -233,7 +233,8 @@ namespace Alate.Tests.Play.Headless
 
             Assert.That(bake.MetresPerUnit * bake.WingLength, Is.EqualTo(metres).Within(1e-4f * metres), "life size");
             Assert.That(bake.WingLength, Is.EqualTo(bake.Wings.Max(wing => wing.Length)));
-            Assert.That(bake.JointCount, Is.EqualTo(bake.Wings.Sum(wing => wing.RestJoints.Length)));
+            Assert.That(bake.JointCount, Is.EqualTo(bake.Wings.Sum(wing => wing.RestJoints.Length) + bake.Abdomens.Count));
+            Assert.That(bake.Abdomens.Single().Joint, Is.EqualTo(bake.JointCount - 1), "behind those of the wings");
             Assert.That(bake.Wings.Select(wing => wing.Side), Is.EqualTo(new[] { WingSide.Right, WingSide.Left }));
             int joints = 0;
             foreach (BakedWing wing in bake.Wings)

@@ -13,6 +13,9 @@ namespace Alate.Tests.Play
     {
         private const float k_Unit = InsectDefinition.UnitsPerMetre;
 
+        private InsectFlight m_Flight;
+        private PerchPilot m_Pilot;
+
         [SetUp]
         public void StepOnceAFrame() => Time.captureDeltaTime = Time.fixedDeltaTime;
 
@@ -44,6 +47,60 @@ namespace Alate.Tests.Play
             Assert.That(pilot.Fold, Is.GreaterThan(0.9f), "it sits with closed wings");
             pilot.enabled = false;
             Assert.That((pilot.Fold, flight.GetComponent<InsectWings>().Steering.fold), Is.EqualTo((0f, 0f)));
+        }
+
+        [UnityTest]
+        public IEnumerator ATouch_LetsASittingInsectFlyAway_FromWhatTouchesIt([Values(-1f, 1f)] float side)
+        {
+            PerchMark mark = null;
+            yield return Sits(made => mark = made);
+            SphereCollider hand = Keep(new GameObject("hand")).AddComponent<SphereCollider>();
+            hand.transform.position = m_Flight.Position + new Vector3(side, 0f, 0f);
+            Vector3 seat = m_Flight.Position;
+            m_Pilot.Touched(hand);
+            for (int frame = 0; frame < 300 && m_Flight.State != FlightState.Flying; frame++)
+                yield return null;
+            yield return Frames(60);
+            Assert.That(m_Flight.State, Is.EqualTo(FlightState.Flying));
+            Assert.That(-side * (m_Flight.Position - seat).x, Is.GreaterThan(0.3f), "away from the hand");
+            Assert.That(mark.IsFree);
+        }
+
+        // Its perch, a leaf of it, its own wings; and nothing at all where the option is off.
+        [UnityTest]
+        public IEnumerator WhatItSitsOn_AndItself_DoNotFrightenIt([Values(0, 1, 2, 3)] int what)
+        {
+            PerchMark mark = null;
+            yield return Sits(made => mark = made);
+            Transform place = what == 0 ? mark.transform : what == 2 ? m_Flight.GetComponent<InsectWings>().Wings[0].Renderer.transform
+                : new GameObject("leaf").transform;
+            if (what == 1)
+                place.SetParent(mark.transform, false);
+            m_Pilot.Settings.leavesWhenTouched = what != 3;
+            m_Pilot.Touched(place.gameObject.AddComponent<SphereCollider>());
+            yield return Frames(60);
+            Assert.That(m_Flight.State, Is.EqualTo(FlightState.Perched));
+            m_Pilot.Startle(new Vector3(float.NaN, 0f, 0f));
+            yield return Frames(60);
+            Assert.That(m_Flight.State, Is.EqualTo(FlightState.Flying), "from nowhere in particular");
+            if (what == 3)
+                UnityEngine.Object.Destroy(place.gameObject);
+        }
+
+        private IEnumerator Sits(System.Action<PerchMark> tell)
+        {
+            m_Flight = Hatch();
+            m_Pilot = m_Flight.gameObject.AddComponent<PerchPilot>();
+            m_Pilot.Settings.stayTime = 600f;
+            PerchMark mark = Keep(new GameObject("mark")).AddComponent<PerchMark>();
+            mark.transform.position = m_Flight.Position + new Vector3(0f, -0.8f, 4f);
+            tell(mark);
+            yield return Frames(2);
+            m_Pilot.LandOn(mark);
+            for (int frame = 0; frame < 1500 && m_Flight.State != FlightState.Perched; frame++)
+                yield return null;
+            yield return Frames(30);
+            Assert.That(m_Flight.State, Is.EqualTo(FlightState.Perched));
         }
 
         [UnityTest]

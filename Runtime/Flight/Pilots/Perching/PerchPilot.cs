@@ -37,7 +37,10 @@ namespace Alate.Flight
         private InsectWings m_Wings;
         private float m_SinceLook;
         private int m_PlanSeed;
-        private float3 m_Threat = float.NaN;
+        private float3 m_Threat = float.NaN, m_Touch = float.NaN;
+
+        // What a ray met: the surface of the last landing that was on no mark.
+        private Collider m_Surface;
 
         /// <summary>Settings of when the insect lands and what it does there.</summary>
         public ref PerchSettings Settings => ref m_Settings;
@@ -88,6 +91,7 @@ namespace Alate.Flight
                 spot.heading = float.NaN;
             Leave();
             m_Last = null;
+            m_Surface = null;
             Plan.Land(spot, Stand);
             return true;
         }
@@ -116,6 +120,19 @@ namespace Alate.Flight
         /// <summary>Takes off, or gives up landing.</summary>
         public void TakeOff() => Plan.TakeOff();
 
+        /// <summary>
+        /// Frightens the insect: one that sits takes off, one that comes down gives up, and both fly away from a place. One that flies
+        /// about turns away.
+        /// </summary>
+        /// <param name="from">The place, world units; where it is not finite the insect just takes off.</param>
+        public void Startle(Vector3 from)
+        {
+            if (OuterBounds.Hold(from, OuterBounds.Distance))
+                m_Touch = from;
+            else
+                Plan.TakeOff();
+        }
+
         /// <inheritdoc/>
         public override FlightCommand Command(in FlightSituation situation)
         {
@@ -127,7 +144,8 @@ namespace Alate.Flight
             FlightCommand between = default;
             if (Plan.Stage == PerchStage.Between)
                 between = Below() is { } below && below != null ? below.Command(situation) : FlightCommand.Fly(default);
-            FlightCommand command = Plan.Next(situation, settings, m_Threat, between);
+            FlightCommand command = Plan.Next(situation, settings, math.all(math.isfinite(m_Touch)) ? m_Touch : m_Threat, between);
+            m_Touch = float.NaN;
             if (Plan.Stage == PerchStage.Between || Plan.Stage == PerchStage.TakingOff)
                 Leave();
             FoldWings(situation, settings);
@@ -166,8 +184,27 @@ namespace Alate.Flight
             var mark = PerchMark.FindNearest(situation.position, settings.searchDistance, m_Last);
             if (mark != null)
                 LandOn(mark);
-            else if (settings.landsOnSurfaces && FindSurface(situation, settings, out PerchSpot spot))
-                LandOn(spot);
+            else if (settings.landsOnSurfaces && FindSurface(situation, settings, out PerchSpot spot, out Collider surface) && LandOn(spot))
+                m_Surface = surface;
+        }
+
+        private void OnCollisionEnter(Collision collision) => Touched(collision.collider);
+
+        private void OnTriggerEnter(Collider other) => Touched(other);
+
+        /// <summary>Tells the insect that a collider touches it.</summary>
+        internal void Touched(Collider by)
+        {
+            if (isActiveAndEnabled && m_Settings.leavesWhenTouched && Stage == PerchStage.Perched && !BelongsToPerch(by))
+                Startle(by.transform.position);
+        }
+
+        // What it sits on, and the insect itself.
+        private bool BelongsToPerch(Collider by)
+        {
+            Transform touching = by.transform;
+            bool isMark = m_Mark != null && (touching.IsChildOf(m_Mark.transform) || m_Mark.transform.IsChildOf(touching));
+            return isMark || by == m_Surface || touching.IsChildOf(Wings == null ? transform : Wings.transform);
         }
 
         // What is gone from under an insect lets it fly off; what it leaves moves on below it.
@@ -192,15 +229,18 @@ namespace Alate.Flight
         }
 
         // Ahead and down: a place that the insect can turn to.
-        private static bool FindSurface(in FlightSituation situation, in PerchSettings settings, out PerchSpot spot)
+        private static bool FindSurface(
+            in FlightSituation situation, in PerchSettings settings, out PerchSpot spot, out Collider surface)
         {
             var ahead = new Vector3(Elementary.Sin(situation.heading), -1f, Elementary.Cos(situation.heading));
             spot = default;
+            surface = null;
             if (!Physics.Raycast(
                 situation.position, ahead, out RaycastHit hit, settings.searchDistance, settings.surfaces, QueryTriggerInteraction.Ignore))
             {
                 return false;
             }
+            surface = hit.collider;
             spot = new PerchSpot { position = hit.point, normal = hit.normal, heading = situation.heading };
             return Vector3.Angle(hit.normal, Vector3.up) <= settings.steepest;
         }
@@ -225,6 +265,8 @@ namespace Alate.Flight
         {
             Leave();
             m_Plan = null;
+            m_Surface = null;
+            m_Touch = float.NaN;
             m_Rest = default;
             if (m_Wings != null)
                 m_Wings.Steering.fold = 0f;

@@ -61,6 +61,11 @@ namespace Alate.Flight
         [Tooltip("World units: the insect takes off and flies away when something watched comes nearer; 5. 0 watches nothing.")]
         public float fleeDistance;
 
+        /// <summary>True where an insect that sits takes off when something other than its perch touches it; needs colliders.</summary>
+        [Tooltip("Whether the insect takes off when a collider other than its perch touches its own. Give it one, and a Rigidbody to "
+            + "it or to what touches it.")]
+        public bool leavesWhenTouched;
+
         /// <summary>A butterfly on flowers.</summary>
         public static PerchSettings Default => new PerchSettings
         {
@@ -73,6 +78,7 @@ namespace Alate.Flight
             surfaces = Physics.DefaultRaycastLayers,
             steepest = PerchBounds.Steepest.Default,
             fleeDistance = PerchBounds.FleeDistance.Default,
+            leavesWhenTouched = true,
         };
 
         /// <summary>Settings with every value moved into its range; what is no number is the default.</summary>

@@ -33,6 +33,9 @@ namespace Alate.Tests.Play
             ["InsectFlight.m_Parts[0].share"] = "taken over when the flight starts",
             ["InsectFlight.m_Parts[0].centre"] = "taken over when the flight starts",
             ["InsectFlight.m_Parts[0].halfAxes"] = "taken over when the flight starts",
+            ["InsectFlight.m_Parts[0].swing"] = "taken over when the flight starts",
+            ["InsectFlight.m_Parts[0].lowestPhase"] = "taken over when the flight starts",
+            ["PerchPilot.m_Settings.leavesWhenTouched"] = "where something touches it",
             ["SplinePath.m_Points"] = "taken when the spline is read",
         };
 
@@ -69,6 +72,7 @@ namespace Alate.Tests.Play
                 case nameof(InsectWings): return InsectScenes().ToList();
                 case nameof(InsectFlight): return FlightScenes().ToList();
                 case nameof(InsectHum): return new List<KeyedScene> { HumScene() };
+                case nameof(AbdomenSwing): return new List<KeyedScene> { SwingScene() };
                 case nameof(OrbitCamera): return new List<KeyedScene> { OrbitScene() };
                 case nameof(FollowPilot): return pilots.Follow().ToList();
                 case nameof(WanderPilot): return pilots.Wander().ToList();
@@ -111,6 +115,22 @@ namespace Alate.Tests.Play
                 Then = flight => flight.GetComponent<InsectWings>().Air.wind = new Vector3(60f, 0f, 0f),
                 After = 60,
             };
+        }
+
+        private KeyedScene SwingScene()
+        {
+            return new KeyedScene(Swinging, swing =>
+            {
+                Quaternion turn = swing.transform.localRotation;
+                return new[] { turn.x, turn.y, turn.z, turn.w };
+            });
+        }
+
+        private Component Swinging()
+        {
+            var abdomen = new GameObject("abdomen");
+            abdomen.transform.SetParent(Hatch().transform, false);
+            return abdomen.AddComponent<AbdomenSwing>();
         }
 
         private KeyedScene HumScene()
