@@ -235,8 +235,9 @@ const cases = {
     const force = () => ({ object: {}, update() {}, set(...values) { made.push(values); } });
     const stage = Object.create(Stage.prototype);
     Object.assign(stage, { three, shown: { forces: true }, reach: 2 });
-    const column = { sheets: [], skeleton: { geometry: { getAttribute: () => ({ array: [] }) } }, wings: [], loads: force(), forces: [force(), force()] };
-    stage.pose(column, { lift: 1.25, drag: 0.5, wings: [] });
+    const column = { sheets: [], skeleton: { geometry: { getAttribute: () => ({ array: [] }) } }, wings: [], loads: force(), forces: [force(), force()], abdomen: { rotation: {} } };
+    stage.pose(column, { lift: 1.25, drag: 0.5, abdomen: 0.2, wings: [] });
+    near(column.abdomen.rotation.x, 0.2, 'the abdomen goes up as it is told');
     all(made[0], [0, 0, 0, 0, 0, 1.25, 0, 0.7], 'lift goes up');
     all(made[1], [0, 0, 0, 0, 0, 0, -0.5, 0.7], 'drag goes to the rear');
     const placed = [];

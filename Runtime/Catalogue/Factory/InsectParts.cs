@@ -193,7 +193,7 @@ namespace Alate.Catalogue
             abdomen.localPosition = InsectDefinition.UnitsPerMetre * Swing.Hinge;
             AbdomenSwing swing = abdomen.gameObject.AddComponent<AbdomenSwing>();
             swing.Swing = Swing.swing;
-            swing.LowestPhase = Swing.lowestPhase;
+            swing.LowestPhase = Mathf.Repeat(Swing.lowestPhase, 360f);
         }
 
         private static Wing Attach(Transform body, GeneratedWing part, WingSide side)

@@ -1,7 +1,9 @@
 using System;
 using System.Collections;
 using System.Collections.Generic;
+using System.Linq;
 using Alate.Catalogue;
+using Alate.Flight;
 using NUnit.Framework;
 using UnityEngine;
 using UnityEngine.TestTools;
@@ -85,6 +87,27 @@ namespace Alate.Tests.Play
             Assert.That((swing.Swing, swing.LowestPhase), Is.EqualTo((45f, 0f)), "in their ranges");
             swing.enabled = false;
             Assert.That(Quaternion.Angle(bone.transform.localRotation, Quaternion.Euler(10f, 0f, 0f)), Is.Zero.Within(1e-3f));
+        }
+
+        // A file may say a phase below zero.
+        [Test]
+        public void APhaseBelowZero_IsShownAsOneOfTheBeat()
+        {
+            InsectDefinition monarch = InsectCatalogue.Find("monarch");
+            IReadOnlyList<BodyEllipsoid> parts = monarch.FlightParts;
+            try
+            {
+                monarch.FlightParts = parts.Select(part => part.swing == 0f ? part : part.Swinging(10f, -90f)).ToList();
+                var made = InsectParts.Make(monarch);
+                GameObject insect = Keep(made.Assemble(made.CreatePresets(InsectVariant.Standard, ModelReading.Physical)));
+                Assert.That(insect.GetComponentInChildren<AbdomenSwing>(true).LowestPhase, Is.EqualTo(270f));
+                UnityEngine.Object.DestroyImmediate(insect);
+                made.Destroy();
+            }
+            finally
+            {
+                monarch.FlightParts = parts;
+            }
         }
 
         private InsectWings Insect()

@@ -87,6 +87,42 @@ namespace Alate.Tests.Play
                 UnityEngine.Object.Destroy(place.gameObject);
         }
 
+        // Of a spot that a script names nobody knows the collider.
+        [UnityTest]
+        public IEnumerator WhatItMeetsOnItsWayDown_IsItsPerch()
+        {
+            m_Flight = Hatch();
+            m_Pilot = m_Flight.gameObject.AddComponent<PerchPilot>();
+            m_Pilot.Settings.stayTime = 600f;
+            SphereCollider ground = Keep(new GameObject("ground")).AddComponent<SphereCollider>();
+            yield return Frames(2);
+            m_Pilot.LandOn(new PerchSpot { position = m_Flight.Position + new Vector3(0f, -0.8f, 4f), normal = Vector3.up });
+            for (int frame = 0; frame < 1500 && m_Pilot.Stage != PerchStage.Perched; frame++)
+                yield return null;
+            Assert.That(m_Flight.State, Is.Not.EqualTo(FlightState.Perched), "on its last way down");
+            m_Pilot.Touched(ground);
+            yield return Frames(150);
+            m_Pilot.Touched(ground);
+            yield return Frames(60);
+            Assert.That(m_Flight.State, Is.EqualTo(FlightState.Perched));
+            m_Pilot.Touched(Keep(new GameObject("hand")).AddComponent<SphereCollider>());
+            yield return Frames(60);
+            Assert.That(m_Flight.State, Is.EqualTo(FlightState.Flying));
+        }
+
+        [UnityTest]
+        public IEnumerator AFlyingInsect_FleesForASecond_FromWhatStartlesIt([Values(-1f, 1f)] float side)
+        {
+            m_Flight = Hatch();
+            m_Pilot = m_Flight.gameObject.AddComponent<PerchPilot>();
+            m_Pilot.Settings.flightTime = 600f;
+            yield return Frames(50);
+            Vector3 before = m_Flight.Position;
+            m_Pilot.Startle(before + new Vector3(side, 0f, 0f));
+            yield return Frames(60);
+            Assert.That(-side * (m_Flight.Position - before).x, Is.GreaterThan(0.3f));
+        }
+
         private IEnumerator Sits(System.Action<PerchMark> tell)
         {
             m_Flight = Hatch();

@@ -18,6 +18,9 @@ namespace Alate.Flight
         /// <summary>Seconds between two looks for a spot, or at what is watched.</summary>
         private const float k_LookTime = 0.2f;
 
+        /// <summary>Seconds in which it flees from what has frightened it.</summary>
+        private const float k_FrightTime = 1f;
+
         [SerializeField]
         private PerchSettings m_Settings = PerchSettings.Default;
 
@@ -35,12 +38,13 @@ namespace Alate.Flight
         private PerchMark m_Mark, m_Last;
         private WingRest m_Rest;
         private InsectWings m_Wings;
-        private float m_SinceLook;
+        private float m_SinceLook, m_Fright;
         private int m_PlanSeed;
-        private float3 m_Threat = float.NaN, m_Touch = float.NaN;
+        private float3 m_Threat = float.NaN, m_FrightenedBy;
 
-        // What a ray met: the surface of the last landing that was on no mark.
+        // Surface of the last landing that was on no mark: what a ray met, or else what touched the insect on its last way down.
         private Collider m_Surface;
+        private bool m_IsSeated;
 
         /// <summary>Settings of when the insect lands and what it does there.</summary>
         public ref PerchSettings Settings => ref m_Settings;
@@ -121,14 +125,13 @@ namespace Alate.Flight
         public void TakeOff() => Plan.TakeOff();
 
         /// <summary>
-        /// Frightens the insect: one that sits takes off, one that comes down gives up, and both fly away from a place. One that flies
-        /// about turns away.
+        /// Frightens the insect for a second: one that sits takes off, one that comes down gives up, and it flies away from a place.
         /// </summary>
         /// <param name="from">The place, world units; where it is not finite the insect just takes off.</param>
         public void Startle(Vector3 from)
         {
             if (OuterBounds.Hold(from, OuterBounds.Distance))
-                m_Touch = from;
+                (m_FrightenedBy, m_Fright) = (from, k_FrightTime);
             else
                 Plan.TakeOff();
         }
@@ -144,8 +147,9 @@ namespace Alate.Flight
             FlightCommand between = default;
             if (Plan.Stage == PerchStage.Between)
                 between = Below() is { } below && below != null ? below.Command(situation) : FlightCommand.Fly(default);
-            FlightCommand command = Plan.Next(situation, settings, math.all(math.isfinite(m_Touch)) ? m_Touch : m_Threat, between);
-            m_Touch = float.NaN;
+            FlightCommand command = Plan.Next(situation, settings, m_Fright > 0f ? m_FrightenedBy : m_Threat, between);
+            m_Fright = math.max(m_Fright - situation.deltaTime, 0f);
+            m_IsSeated = situation.state == FlightState.Perched;
             if (Plan.Stage == PerchStage.Between || Plan.Stage == PerchStage.TakingOff)
                 Leave();
             FoldWings(situation, settings);
@@ -195,7 +199,11 @@ namespace Alate.Flight
         /// <summary>Tells the insect that a collider touches it.</summary>
         internal void Touched(Collider by)
         {
-            if (isActiveAndEnabled && m_Settings.leavesWhenTouched && Stage == PerchStage.Perched && !BelongsToPerch(by))
+            if (!isActiveAndEnabled || Stage != PerchStage.Perched || BelongsToPerch(by))
+                return;
+            if (!m_IsSeated && m_Mark == null && m_Surface == null)
+                m_Surface = by;
+            else if (m_IsSeated && m_Settings.leavesWhenTouched)
                 Startle(by.transform.position);
         }
 
@@ -266,7 +274,8 @@ namespace Alate.Flight
             Leave();
             m_Plan = null;
             m_Surface = null;
-            m_Touch = float.NaN;
+            m_Fright = 0f;
+            m_IsSeated = false;
             m_Rest = default;
             if (m_Wings != null)
                 m_Wings.Steering.fold = 0f;

@@ -52,6 +52,21 @@ namespace Alate.Tests.Flight
             Assert.That(math.distance(turned.Drag, expected), Is.LessThan(1e-5f * math.length(expected)));
         }
 
+        // A swing counts where the body feels it.
+        [Test]
+        public void TheSwingOfAnAbdomen_IsInTheKey_WhereTheBodyReacts([Values] bool reacts)
+        {
+            uint[] keys = new[] { s_Ball, s_Ball.Swinging(10f, 0f), s_Ball.Swinging(11f, 0f), s_Ball.Swinging(10f, 1f) }.Select(part =>
+            {
+                FlightWing[] wings = Wings();
+                foreach (FlightWing wing in wings)
+                    Change((ref WingParameters p) => p.options.bodyReaction = reacts)(wing);
+                using var model = new FlightModel(wings, new[] { part }, k_Mass, k_Density);
+                return model.Key;
+            }).ToArray();
+            Assert.That(keys.Distinct().Count(), Is.EqualTo(reacts ? 4 : 1));
+        }
+
         [Test]
         public void EveryNumberOfTheModel_IsInItsKey()
         {
