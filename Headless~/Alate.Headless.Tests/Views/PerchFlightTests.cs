@@ -73,6 +73,9 @@ public sealed class PerchFlightTests
         Assert.That((FlightState)BitConverter.ToUInt32(state.Content.Span[^4..]),
             Is.EqualTo(FlightState.Flying).Or.EqualTo(FlightState.Landing));
         Assert.That((bool)scene.Scene["settings"]["landing"], Is.True);
+        float phase = BitConverter.ToSingle(state.Content.Span[24..]), told = BitConverter.ToSingle(state.Content.Span[48..]);
+        float up = -math.radians(definition.Abdomen.swing) * math.cos(phase - math.radians(definition.Abdomen.lowestPhase));
+        Assert.That(told, Is.EqualTo(up).Within(0.01f), "radians");
     }
 
     [TestCase(false)]
