@@ -10,7 +10,7 @@ internal static class ValidateCommand
     /// <summary>Part of the front page.</summary>
     internal const string Part = "validation";
 
-    private const int k_Stages = 42;
+    private const int k_Stages = 43;
 
     public static Command Create(TextWriter output)
     {
@@ -46,7 +46,7 @@ internal static class ValidateCommand
         done => ButterflyRows.Climbing(Fineness.Report, done), done => ButterflyRows.Held(Fineness.Report, done),
         done => StructureRows.Insects(Fineness.Report, done),
         done => DragonflyVariants.Flights(Fineness.Report, done), done => DragonflyVariants.Tethered(Fineness.Report, done),
-        WakeRows.Beating, WakeRows.Starting, WakeRows.Steady, WakeRows.Formation, WakeRows.Revolving, WakeRows.Flapping,
+        WakeRows.Beating, WakeRows.Starting, WakeRows.Steady, WakeRows.Formation, WakeRows.Revolving, WakeRows.Hovering, WakeRows.Flapping,
         done => StructureRows.Droops(Fineness.Report, done), done => StructureRows.Motions(Fineness.Report, done),
     ];
 

@@ -94,14 +94,18 @@ public sealed class ReportRowLaws
     [Category("Long")]
     [Category("Faults")]
     public void Wakes_AreThoseOfTheReport() =>
-        Compare(row => Text(row, "table") == "wakes", 6,
+        Compare(row => Text(row, "table") == "wakes", 7,
             done => WakeRows.Beating(done).Concat(WakeRows.Starting(done)).Concat(WakeRows.Steady(done)).Concat(WakeRows.Formation(done))
-                .Concat(WakeRows.Revolving(done)).Concat(WakeRows.Flapping(done)),
+                .Concat(WakeRows.Revolving(done)).Concat(WakeRows.Hovering(done)).Concat(WakeRows.Flapping(done)),
             1e-3, 1e-3, false);
 
     [Test]
     public void AWingThatRevolves_IsThatOfTheReport() =>
         Compare(row => Begins(row, "wing that revolves"), 1, WakeRows.Revolving, 1e-3, 1e-3, false);
+
+    [Test]
+    public void AFlyThatHovers_IsThatOfTheReport() =>
+        Compare(row => Begins(row, "fruit fly that hovers"), 1, WakeRows.Hovering, 1e-3, 1e-3, false);
 
     [Test]
     public void StiffnessOfTheInsects_IsThatOfTheReport() =>

@@ -21,6 +21,7 @@ namespace Alate.Wake
             Method = method;
             ChordPanels = method == WakeMethod.Panels ? 4 : 1;
             NearCore = method == WakeMethod.Panels ? 0.05f : 0.25f;
+            FarCore = method == WakeMethod.Panels ? 0.4f : 0.6f;
         }
 
         /// <summary>The way to find the circulation.</summary>
@@ -42,7 +43,7 @@ namespace Alate.Wake
         public float NearCore { get; set; }
 
         /// <summary>Radius of an old core, chords, that of a new one to 10: keeps the wake smooth.</summary>
-        public float FarCore { get; set; } = 0.6f;
+        public float FarCore { get; set; }
 
         /// <summary>Time in which a core grows from the first to the second, beats, above 0.</summary>
         public float CoreRamp { get; set; } = 0.3f;

@@ -4,16 +4,11 @@ namespace Alate.Cli;
 
 /// <summary>
 /// Model of a fly's wing that revolves about its root from rest, as that of Dickinson, Lehmann and Sane 1999: R 0.25 m, area 0.0167
-/// m², radius of the second moment 0.58 R; a beta distribution of the chord has those numbers. Half a turn is one beat.
+/// m². Half a turn is one beat.
 /// </summary>
 internal sealed class RevolvingWing : IWingMotion
 {
-    private const double k_Chord = 0.0167 / (0.25 * 0.25), k_Inner = 1.628, k_Outer = 1.473, k_Rate = Math.PI;
-
-    /// <summary>Squared radius of the second moment over R².</summary>
-    private const double k_Moment = 0.58 * 0.58;
-
-    private static readonly double s_Area = Enumerable.Range(0, 2000).Average(k => Beta((k + 0.5) / 2000.0));
+    private const double k_Chord = 0.0167 / (0.25 * 0.25), k_Rate = Math.PI;
 
     private readonly double m_Attack;
 
@@ -24,7 +19,7 @@ internal sealed class RevolvingWing : IWingMotion
         double turned = k_Rate * beats, cos = Math.Cos(turned), sin = Math.Sin(turned);
         for (int k = 0; k < places.Length; k++)
         {
-            double far = places[k].y, before = (0.25 - places[k].x) * k_Chord * Beta(far) / s_Area;
+            double far = places[k].y, before = (0.25 - places[k].x) * FlyPlanform.Chord(far, k_Chord);
             double ahead = before * Math.Cos(m_Attack);
             points[k] = new float3(
                 (float)(far * cos - ahead * sin), (float)(before * Math.Sin(m_Attack)), (float)(far * sin + ahead * cos));
@@ -51,13 +46,11 @@ internal sealed class RevolvingWing : IWingMotion
             count++;
         }
 
-        double pressure = 0.5 * k_Rate * k_Rate * k_Moment * k_Chord * count;
+        double pressure = 0.5 * k_Rate * k_Rate * FlyPlanform.Moment * k_Chord * count;
         return (lift / pressure, drag / pressure);
     }
 
     public static double MeasuredLift(double degrees) => 0.225 + 1.58 * Math.Sin((2.13 * degrees - 7.20) * Math.PI / 180.0);
 
     public static double MeasuredDrag(double degrees) => 1.92 - 1.55 * Math.Cos((2.04 * degrees - 9.82) * Math.PI / 180.0);
-
-    private static double Beta(double share) => Math.Pow(share, k_Inner - 1.0) * Math.Pow(Math.Max(1.0 - share, 1e-9), k_Outer - 1.0);
 }

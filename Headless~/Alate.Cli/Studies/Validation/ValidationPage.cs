@@ -46,9 +46,9 @@ internal static class ValidationPage
         Fold(page, "Other variants of the same flights, not counted", MarkdownTable.Write(
             Table(rows.Where(row => row.Table == ValidationTable.Insects && row.Variant != null))));
         Section(page, rows, ValidationTable.Wakes, "Wakes beside theory", "Lattices of panels or strips that shed a [free wake](wake.md), "
-            + "beside closed forms of thin wings, the wing of Dickinson, Lehmann and Sane 1999, and a stiff wing that flaps in a stream at "
-            + "up to 30° to the air, where panels know no separation; the second value is that of a finer lattice with shorter steps. "
-            + "Theory has no spread.");
+            + "beside closed forms of thin wings, the wing of Dickinson, Lehmann and Sane 1999, the computed loads of a hovering fruit "
+            + "fly, and a stiff wing that flaps in a stream at up to 30° to the air, where panels know no separation; the second value is "
+            + "that of a finer lattice with shorter steps. Theory has no spread.");
         Section(page, rows, ValidationTable.Strips, "Strips beside beam theory", "Wings of "
             + "[measured stiffness](wing-skeleton.md#measured-stiffness) without air, which are strips. Theory has no spread.");
         Section(page, rows, ValidationTable.Data, "Your curves", "Curves of `--data` beside the last curve of the model.");

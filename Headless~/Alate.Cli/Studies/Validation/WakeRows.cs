@@ -3,7 +3,10 @@ using Alate.Wake;
 
 namespace Alate.Cli;
 
-/// <summary>Comparisons of lattices that shed a wake with closed forms of thin wings, and with a measured wing that revolves.</summary>
+/// <summary>
+/// Comparisons of lattices that shed a wake with closed forms of thin wings, with a measured wing that revolves, and with the computed
+/// loads of a fly that hovers.
+/// </summary>
 internal static class WakeRows
 {
     private const double k_Height = 0.01, k_Pitch = Math.PI / 180, k_Share = 0.05, k_Degrees = 3, k_Measured = 0.12;
@@ -13,6 +16,7 @@ internal static class WakeRows
         k_Wagner = "Wagner 1925, as R. T. Jones 1940, NACA Rep. 681, has it";
     private const string k_Yeo = "Yeo, Atkins and Shyy 2011, nine pressures, read by Urban 2020",
         k_Urban = "Urban 2020, report on Ptera Software, Washington University in St. Louis, openscholarship.wustl.edu/mems500/135";
+    private const string k_Sun = "Sun and Tang 2002, J. Exp. Biol. 205:2413, Navier and Stokes's equations";
     private const string k_Dickinson = "Dickinson, Lehmann and Sane 1999, Science 284:1954, a model of a fly's wing in oil";
 
     /// <summary>Plates that heave and pitch in two dimensions: lift and thrust.</summary>
@@ -164,6 +168,27 @@ internal static class WakeRows
         done();
     }
 
+    /// <summary>A fruit fly that hovers, beside loads that Navier and Stokes's equations gave for the same motion.</summary>
+    public static IEnumerable<ValidationRow> Hovering(Action done)
+    {
+        // The angle of attack at which the published lift is the weight, and the published mean drag over it.
+        const double k_Attack = 37, k_Drag = 1.27;
+        foreach ((string by, MeasuredDownwash downwash) in new[]
+        {
+            ("the measured downwash taken out as an angle", MeasuredDownwash.Angle),
+            ("no measured downwash taken out", MeasuredDownwash.None),
+        })
+        {
+            (double lift, double drag) = HoveringFly.Fly(k_Attack, new WakeSettings(), downwash: downwash);
+            (double fineLift, double fineDrag) = HoveringFly.Fly(k_Attack, new WakeSettings { StepsPerBeat = 48 }, downwash: downwash);
+            string record = FormattableString.Invariant($"fruit fly that hovers at {k_Attack}° to the air, strips, {by}");
+            yield return Computed(record, "lift over weight", 1, lift, fineLift);
+            yield return Computed(record, "mean drag over mean lift", k_Drag, drag, fineDrag);
+        }
+
+        done();
+    }
+
     private static (double Lift, double Drag) Revolve(double degrees, WakeMethod method, int steps) =>
         RevolvingWing.Fly(degrees, new WakeSettings(method) { Keep = 4f, StepsPerBeat = steps });
 
@@ -214,6 +239,9 @@ internal static class WakeRows
     private static ValidationRow Near(
         string record, string quantity, double value, double share, string source, double ours, double fine) =>
         Row(record, quantity, value, share, "theory", k_Ours, source, ours, fine);
+
+    private static ValidationRow Computed(string record, string quantity, double value, double ours, double fine) =>
+        Row(record, quantity, value, k_Measured, "computed", "ours: the computation has no spread", k_Sun, ours, fine);
 
     private static ValidationRow Measured(
         string record, string quantity, double value, string spread, string source, double ours, double fine) =>
