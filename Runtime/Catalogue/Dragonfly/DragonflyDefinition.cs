@@ -59,11 +59,12 @@ namespace Alate.Catalogue
         private static WingPattern Pattern(WingOutline outline)
         {
             VeinFan veins = new VeinFan(outline, 0.75).Add(0.30, 0.41, 0.455, 0.49, 0.53, 0.575, 0.625, 0.69, 0.77, 0.86)
-                .Fork(3, 0.6, 0.51).Fork(4, 0.55, 0.552).Fork(5, 0.5, 0.6).Fork(6, 0.45, 0.655).Fork(7, 0.5, 0.73).Fork(8, 0.5, 0.815);
+                .Fork(2, 0.66, 0.472).Fork(3, 0.6, 0.51).Fork(4, 0.55, 0.552).Fork(5, 0.5, 0.6).Fork(6, 0.45, 0.655).Fork(7, 0.5, 0.73)
+                .Fork(8, 0.5, 0.815).Fork(4, 0.72, 0.541).Fork(5, 0.68, 0.588).Fork(6, 0.64, 0.64).Fork(7, 0.66, 0.71).Fork(8, 0.66, 0.795);
             for (int vein = 0; vein < 9; vein++)
             {
-                double shift = 0.02 * (vein % 3);
-                for (double at = 0.16; at < 0.92; at += 0.07)
+                double shift = 0.015 * (vein % 3);
+                for (double at = 0.16; at < 0.95; at += 0.045)
                     veins.Cross(vein, at + shift);
             }
 
@@ -72,8 +73,10 @@ namespace Alate.Catalogue
                 Membrane = new Color(0.86f, 0.88f, 0.86f, 0.22f),
                 Base = new Color(0.80f, 0.70f, 0.46f, 0.42f),
                 Vein = new Color(0.13f, 0.11f, 0.10f, 0.96f),
-                VeinHalfWidth = 0.0034,
-                CostaHalfWidth = 0.009,
+                VeinHalfWidth = 0.0028,
+                CostaHalfWidth = 0.0075,
+                Stigma = new Vector2(0.845f, 0.905f),
+                Sheen = 0.35f,
             };
         }
 

@@ -42,8 +42,9 @@ namespace Alate.Catalogue
                 Membrane = new Color(0.66f, 0.61f, 0.57f, 0.42f),
                 Base = new Color(0.50f, 0.42f, 0.36f, 0.6f),
                 Vein = new Color(0.24f, 0.19f, 0.16f, 0.95f),
-                VeinHalfWidth = 0.008,
-                CostaHalfWidth = 0.018,
+                VeinHalfWidth = 0.0065,
+                CostaHalfWidth = 0.016,
+                Sheen = 0.18f,
             };
         }
 

@@ -69,6 +69,7 @@ namespace Alate.Catalogue
                 Vein = new Color(0.33f, 0.26f, 0.20f, 0.95f),
                 VeinHalfWidth = 0.0045,
                 CostaHalfWidth = 0.010,
+                Sheen = 0.12f,
                 Dapple = 0.6f,
             };
         }

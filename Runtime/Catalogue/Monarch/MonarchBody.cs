@@ -70,7 +70,7 @@ namespace Alate.Catalogue
         {
             BodyPatch thorax = parts.Add(seat.Press(Trunk.Through(s_Thorax, 22, 24)), Dotted);
             var fur = new Fur { Count = 110, Length = 0.7f, Radius = 0.09f, Seed = 11, Where = place => place.y > 1.2f || place.y < -1.4f };
-            parts.AddFur(thorax, fur.GrowOn(thorax.part), (in BodyPoint point) => Tint.Mix(s_Black, s_Fur, Tint.Grain(point.Place)));
+            parts.AddFur(thorax, fur.GrowOn(thorax.part), (in BodyPoint point) => Tint.Mix(s_Black, s_Fur, Ink.Speckle(point.Place)));
             parts.AddAbdomen(Trunk.Through(s_Abdomen, 44, 16, ButterflyParts.Rings(k_AbdomenRings, 0.07f)), Segmented);
             ButterflyParts.AddHead(parts, new Vector3(0f, 0.15f, 5.1f), 1.35f, Dotted, (in BodyPoint point) => s_Eye);
             ButterflyParts.AddTongue(parts, new Vector3(0f, -0.85f, 6.9f), 0.62f, s_Black);

@@ -118,7 +118,7 @@ namespace Alate.Catalogue
             return Tint.Mix(shoulder, s_Slate, Tint.Below(point.Place.y, -0.35f, 0.3f));
         }
 
-        private static Color32 Shaggy(in BodyPoint point) => Tint.Mix(Striped(point), s_Pale, 0.45f * Tint.Grain(point.Place));
+        private static Color32 Shaggy(in BodyPoint point) => Tint.Mix(Striped(point), s_Pale, 0.45f * Ink.Speckle(point.Place));
 
         private static Color32 Ringed(in BodyPoint point)
         {

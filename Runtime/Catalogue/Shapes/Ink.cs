@@ -1,13 +1,20 @@
 using System;
 using System.Collections.Generic;
 using Alate.Geometry;
+using Unity.Mathematics;
+using UnityEngine;
 
 namespace Alate.Catalogue
 {
     /// <summary>Shapes with soft edges that patterns are drawn with, each a share from 0 outside to 1 inside.</summary>
     internal static class Ink
     {
-        private const int k_EdgeSamples = 96;
+        private const int k_EdgeSamples = 96, k_CurveSteps = 12;
+
+        /// <summary>Scale that makes the fraction of a hash look random.</summary>
+        private const float k_SpeckleScale = 9173.7f;
+
+        private static readonly float3 s_SpeckleWaves = new float3(37.1f, 71.3f, 53.9f);
 
         /// <summary>Soft step: 1 within the limit, 0 beyond it, over the given width.</summary>
         public static float Within(double distance, double limit, double softness)
@@ -26,6 +33,54 @@ namespace Alate.Catalogue
         {
             double size = Math.Min(radiusX, radiusZ);
             return Within((Math.Sqrt(x * x / (radiusX * radiusX) + z * z / (radiusZ * radiusZ)) - 1) * size, 0, softness);
+        }
+
+        /// <summary>Soft ellipses: 1 inside of one, 0 outside of all.</summary>
+        /// <param name="ellipses">Of each the span and the place ahead of its middle, and its radii along and across the span.</param>
+        /// <param name="span">Place along the span.</param>
+        /// <param name="forward">Place ahead of the hinge line.</param>
+        /// <param name="softness">Width of their edges.</param>
+        public static float Ellipses(double[] ellipses, double span, double forward, double softness)
+        {
+            float inside = 0f;
+            for (int k = 0; k < ellipses.Length; k += 4)
+            {
+                inside = Math.Max(
+                    inside, Ellipse(span - ellipses[k], forward - ellipses[k + 1], ellipses[k + 2], ellipses[k + 3], softness));
+            }
+
+            return inside;
+        }
+
+        /// <summary>Share that falls from 1 at a place to 0 at a reach from it, and turns out there without a step.</summary>
+        public static double Fade(double distance, double reach)
+        {
+            double near = Math.Clamp(1 - distance / reach, 0, 1);
+            return near * near;
+        }
+
+        /// <summary>Pseudo-random value from 0 to 1 by place, repeatable: for the mottling of skins, hairs and scales.</summary>
+        public static float Speckle(Vector3 place)
+        {
+            float wave = math.sin(math.dot((float3)place, s_SpeckleWaves));
+            return math.abs(k_SpeckleScale * wave % 1f);
+        }
+
+        /// <summary>Grain of scales, −1 to 1 and 0 on average; none where samples are too far apart to show it.</summary>
+        /// <param name="x">Along the span.</param>
+        /// <param name="z">Forward.</param>
+        /// <param name="size">Of a scale.</param>
+        /// <param name="softness">Distance of two samples.</param>
+        public static float Grain(double x, double z, double size, double softness)
+        {
+            float share = Within(softness, size, size);
+            if (share == 0f)
+                return 0f;
+            double column = Math.Floor(x / size), row = Math.Floor(z / size);
+            double right = x / size - column, up = z / size - row;
+            double low = Scale(column, row) * (1 - right) + Scale(column + 1, row) * right;
+            double high = Scale(column, row + 1) * (1 - right) + Scale(column + 1, row + 1) * right;
+            return share * (float)(2 * (low * (1 - up) + high * up) - 1);
         }
 
         /// <summary>Row of soft spots along an edge: 1 inside a spot, 0 outside.</summary>
@@ -68,6 +123,57 @@ namespace Alate.Catalogue
             extended.Add(endZ);
             return extended;
         }
+
+        /// <summary>Points x, z, x, z, … of a smooth curve through points, after Catmull and Rom.</summary>
+        public static List<double> Smooth(double[] points)
+        {
+            int last = points.Length / 2 - 1;
+            PlanPoint At(int k) => new PlanPoint(points[2 * Math.Clamp(k, 0, last)], points[2 * Math.Clamp(k, 0, last) + 1]);
+            var curve = new List<double> { points[0], points[1] };
+            for (int k = 0; k < last; k++)
+            {
+                PlanPoint a = At(k), b = At(k + 1), leave = (b - At(k - 1)) * 0.5, arrive = (At(k + 2) - a) * 0.5;
+                for (int step = 1; step <= k_CurveSteps; step++)
+                {
+                    double t = (double)step / k_CurveSteps, u = 1 - t;
+                    PlanPoint place = a * (u * u * (1 + 2 * t)) + b * (t * t * (1 + 2 * u)) + leave * (u * u * t) - arrive * (t * t * u);
+                    curve.Add(place.x);
+                    curve.Add(place.z);
+                }
+            }
+
+            return curve;
+        }
+
+        /// <summary>Length of a polyline given as x, z, x, z, …</summary>
+        public static double Length(IReadOnlyList<double> points)
+        {
+            double length = 0;
+            for (int k = 2; k < points.Count; k += 2)
+            {
+                double x = points[k] - points[k - 2], z = points[k + 1] - points[k - 1];
+                length += Math.Sqrt(x * x + z * z);
+            }
+
+            return length;
+        }
+
+        /// <summary>Place on a polyline given as x, z, x, z, …, at a distance along it.</summary>
+        public static (double X, double Z) On(IReadOnlyList<double> points, double along)
+        {
+            int last = points.Count - 2;
+            for (int k = 0; k < last; k += 2)
+            {
+                double x = points[k + 2] - points[k], z = points[k + 3] - points[k + 1], length = Math.Sqrt(x * x + z * z);
+                if (along <= length && length > 0)
+                    return (points[k] + x * along / length, points[k + 1] + z * along / length);
+                along -= length;
+            }
+
+            return (points[last], points[last + 1]);
+        }
+
+        private static float Scale(double column, double row) => Speckle(new Vector3((float)column, (float)row, 0f));
 
         private static List<double> Points(double from, double to, Func<double, PlanPoint> at)
         {

@@ -11,6 +11,10 @@ namespace Alate.Catalogue
     {
         private const double k_LeastFeature = 0.3, k_RimWidth = 0.008, k_ThinnestShare = 0.45, k_CrossShare = 0.6, k_Stem = 0.1;
 
+        private static readonly Color s_Pink = new Color(0.93f, 0.66f, 0.78f);
+        private static readonly Color s_Green = new Color(0.62f, 0.90f, 0.76f);
+
+        private readonly WingOutline m_Outline;
         private readonly VeinFan m_Veins;
         private readonly StrokeSet m_Rim = new StrokeSet();
         private readonly StrokeSet m_Costa = new StrokeSet();
@@ -19,6 +23,7 @@ namespace Alate.Catalogue
         /// <param name="veins">The veins.</param>
         public MembranePattern(WingOutline outline, VeinFan veins)
         {
+            m_Outline = outline;
             m_Veins = veins;
             m_Rim.Add(Ink.Margin(outline, 0, 1));
             m_Costa.Add(Ink.Margin(outline, 0, 0.47));
@@ -45,11 +50,22 @@ namespace Alate.Catalogue
         /// <summary>Distance from one dapple to the next, wing lengths.</summary>
         public double DappleLength { get; set; } = 0.05;
 
+        /// <summary>Spans between which a cell behind the leading edge is dark, the pterostigma; none where both are 0.</summary>
+        public Vector2 Stigma { get; set; }
+
+        /// <summary>Depth of that cell behind the leading edge, wing lengths.</summary>
+        public double StigmaDepth { get; set; } = 0.018;
+
+        /// <summary>Strength of the sheen of thin films, pink and green by turns, 0 to 1.</summary>
+        public float Sheen { get; set; }
+
         /// <inheritdoc/>
         public override Color ColourAt(double span, double forward, double softness)
         {
             double fromBase = Math.Sqrt(span * span + forward * forward);
             var colour = Color.Lerp(Membrane, Base, Ink.Within(fromBase, k_Stem, 2 * k_Stem));
+            if (Sheen > 0f)
+                colour = Sheened(colour, span, forward);
             double reach = Dapple > 0f ? double.MaxValue : Math.Max(VeinHalfWidth, k_LeastFeature * softness) + softness;
             double vein = m_Veins.Distance(span, forward, out double along, reach);
             if (Dapple > 0f)
@@ -67,7 +83,23 @@ namespace Alate.Catalogue
             drawn = Math.Max(drawn, m_Rim.Line(span, forward, k_RimWidth, softness));
             drawn = Math.Max(drawn, Ink.Within(m_Costa.Distance(span, forward, out double ahead, CostaHalfWidth + softness),
                 CostaHalfWidth * (1 - 0.7 * ahead), softness));
+            if (Stigma.y > 0f)
+                drawn = Math.Max(drawn, 0.9f * Marked(span, forward, softness));
             return Color.Lerp(colour, Vein, drawn);
+        }
+
+        private float Marked(double span, double forward, double softness) =>
+            Ink.Between(span, Stigma.x, Stigma.y, softness)
+            * Ink.Within(m_Outline.LeadingAt(Math.Clamp(span, 0, 1)) - forward, StigmaDepth, softness);
+
+        // Thin films turn from pink to green with their thickness, which varies from the base to the margin.
+        private Color Sheened(Color colour, double span, double forward)
+        {
+            float turn = (float)Math.Sin(2 * Math.PI * (2.3 * span + 3.1 * forward + 0.35 * Math.Sin(9 * span)));
+            Color film = turn > 0f ? s_Pink : s_Green;
+            float share = Sheen * Math.Abs(turn);
+            return new Color(
+                Mathf.Lerp(colour.r, film.r, share), Mathf.Lerp(colour.g, film.g, share), Mathf.Lerp(colour.b, film.b, share), colour.a);
         }
     }
 }

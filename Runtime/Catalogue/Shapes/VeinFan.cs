@@ -57,14 +57,16 @@ namespace Alate.Catalogue
             return this;
         }
 
-        /// <summary>Adds cross veins from a vein to the next one, at shares of its length.</summary>
+        /// <summary>Adds cross veins from a vein to the next one, at shares of its length; none beyond the tip of that.</summary>
         public VeinFan Cross(int vein, params double[] at)
         {
             foreach (double share in at)
             {
                 PlanPoint from = On(vein, share);
-                PlanPoint to = Nearest(vein + 1, from);
-                m_Crosses.Add(new[] { from.x, from.z, to.x, to.z });
+                // Beyond the tip of the next vein there is none to cross to.
+                PlanPoint to = Nearest(vein + 1, from, out bool isTip);
+                if (!isTip)
+                    m_Crosses.Add(new[] { from.x, from.z, to.x, to.z });
             }
 
             return this;
@@ -88,14 +90,18 @@ namespace Alate.Catalogue
             return At(root, bend, tip, t);
         }
 
-        private PlanPoint Nearest(int vein, PlanPoint point)
+        private PlanPoint Nearest(int vein, PlanPoint point, out bool isTip)
         {
             const int samples = 64;
             PlanPoint nearest = On(vein, 0);
+            isTip = false;
             for (int k = 1; k <= samples; k++)
             {
                 PlanPoint candidate = On(vein, (double)k / samples);
-                nearest = (candidate - point).LengthSquared < (nearest - point).LengthSquared ? candidate : nearest;
+                if ((candidate - point).LengthSquared >= (nearest - point).LengthSquared)
+                    continue;
+                nearest = candidate;
+                isTip = k == samples;
             }
 
             return nearest;

@@ -101,7 +101,7 @@ namespace Alate.Catalogue
             Vector3 place = point.Place;
             Color32 skin = Tint.Mix(s_Back, s_Rose, Tint.Below(0.16f, point.Around, 0.3f));
             skin = Tint.Mix(skin, s_Pale, Tint.Below(0.55f, point.Around, 0.35f));
-            skin = Tint.Mix(skin, s_Back, 0.12f * Tint.Grain(point.Place));
+            skin = Tint.Mix(skin, s_Back, 0.12f * Ink.Speckle(point.Place));
 
             // The mouth runs round the snout; the gill slit is an arc before the fin.
             float mouth = Tint.Below(Mathf.Abs(place.y + 1.9f + 0.06f * (25f - place.z)), 0.35f, 0.5f) * Tint.Below(17.5f, place.z, 1f);

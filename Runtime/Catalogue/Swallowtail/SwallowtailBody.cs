@@ -85,7 +85,7 @@ namespace Alate.Catalogue
         private static Color32 Haired(in BodyPoint point)
         {
             bool isBack = point.Place.y > 0f && point.Place.x < 0.8f;
-            return Tint.Mix(isBack ? s_Dark : s_Yellow, s_PaleHair, (isBack ? 0.3f : 1f) * Tint.Grain(point.Place));
+            return Tint.Mix(isBack ? s_Dark : s_Yellow, s_PaleHair, (isBack ? 0.3f : 1f) * Ink.Speckle(point.Place));
         }
 
         private static Color32 StripedAbdomen(in BodyPoint point)

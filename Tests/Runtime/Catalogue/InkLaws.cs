@@ -41,7 +41,8 @@ namespace Alate.Tests
         [Test]
         public void Grain_IsEvenlySpread()
         {
-            float[] grains = Enumerable.Range(0, 4000).Select(k => Tint.Grain(new Vector3(k % 20, k / 20 % 20, k / 400) * 0.37f)).ToArray();
+            float[] grains =
+                Enumerable.Range(0, 4000).Select(k => Ink.Speckle(new Vector3(k % 20, k / 20 % 20, k / 400) * 0.37f)).ToArray();
 
             Assert.That(grains, Is.All.GreaterThanOrEqualTo(0f).And.All.LessThanOrEqualTo(1f));
             Assert.That(grains.Average(), Is.EqualTo(0.5f).Within(0.03f));
