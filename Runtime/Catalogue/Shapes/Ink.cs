@@ -11,10 +11,8 @@ namespace Alate.Catalogue
     {
         private const int k_EdgeSamples = 96, k_CurveSteps = 12;
 
-        /// <summary>Scale that makes the fraction of a hash look random.</summary>
-        private const float k_SpeckleScale = 9173.7f;
-
-        private static readonly float3 s_SpeckleWaves = new float3(37.1f, 71.3f, 53.9f);
+        /// <summary>Large odd numbers, which spread the bits of a place.</summary>
+        private static readonly uint3 s_SpeckleFactors = new uint3(0x9E3779B1u, 0x85EBCA77u, 0xC2B2AE3Du);
 
         /// <summary>Soft step: 1 within the limit, 0 beyond it, over the given width.</summary>
         public static float Within(double distance, double limit, double softness)
@@ -62,8 +60,8 @@ namespace Alate.Catalogue
         /// <summary>Pseudo-random value from 0 to 1 by place, repeatable: for the mottling of skins, hairs and scales.</summary>
         public static float Speckle(Vector3 place)
         {
-            float wave = math.sin(math.dot((float3)place, s_SpeckleWaves));
-            return math.abs(k_SpeckleScale * wave % 1f);
+            uint3 bits = math.asuint((float3)place) * s_SpeckleFactors;
+            return Unity.Mathematics.Random.CreateFromIndex((bits.x ^ bits.y ^ bits.z) >> 1).NextFloat();
         }
 
         /// <summary>Grain of scales, −1 to 1 and 0 on average; none where samples are too far apart to show it.</summary>
