@@ -12,7 +12,7 @@ internal static class FiguresCommand
         k_Way = "images/flight-monarch.png", k_Front = "images/study.svg", k_Study = "studies/hover.study.json";
 
     /// <summary>Pixels of the picture of all insects.</summary>
-    internal const int GalleryWidth = 990;
+    internal const int GalleryWidth = 900;
 
     private const string k_Hero = "monarch";
     private const int k_Phases = 3;

@@ -6,7 +6,7 @@ namespace Alate.Flight
     internal readonly struct HeldWings
     {
         /// <summary>Share of the amplitude of hovering that is left to raised wings: their stroke's lower half.</summary>
-        private const float k_RaisedShare = 0.5f;
+        private const float k_RaisedShare = 0.45f;
 
         private readonly WingWorld m_World;
         private readonly BodyHandle m_Body;
