@@ -5,7 +5,7 @@ namespace Alate.Flight
     /// <summary>Wings of an insect that a perch holds: they rest, beat raised above the body, or beat as in a hover.</summary>
     internal readonly struct HeldWings
     {
-        /// <summary>Share of the amplitude of hovering that is left to raised wings: their stroke's lower half.</summary>
+        /// <summary>Share of the amplitude of hovering that is left to raised wings: the upper part of their stroke, above level.</summary>
         private const float k_RaisedShare = 0.45f;
 
         private readonly WingWorld m_World;
@@ -57,7 +57,7 @@ namespace Alate.Flight
                 m_World.SetDrive(wing.handle, hover);
         }
 
-        /// <summary>Beats from level wings up to where they turn in a hover, straight up and down: no wing gets below the body.</summary>
+        /// <summary>Beats from above level up to where wings turn in a hover, straight up and down: none gets below the body.</summary>
         public void BeatRaised()
         {
             WingDrive hover = Hover;

@@ -88,10 +88,10 @@ namespace Alate.Tests.Play
                 Assert.That(math.distance(math.rotate(body.rotation, new float3(0f, 1f, 0f)), normal), Is.LessThan(1e-4f), "on its feet");
                 AssertHeld(body);
                 WingDrive drive = World.Drive(Live.wings[0].handle), hover = Table.DriveNear(0f, 0f);
-                Assert.That((drive.frequency, drive.amplitude), Is.EqualTo((hover.frequency, 0.5f * hover.amplitude)));
+                Assert.That((drive.frequency, drive.amplitude), Is.EqualTo((hover.frequency, 0.45f * hover.amplitude)));
                 WingParameters parameters = Model.Wings[0].Parameters;
                 Assert.That(drive.meanFlap,
-                    Is.EqualTo(0.5f * hover.amplitude * parameters.amplitude.x * parameters.amplitudeScale).Within(1e-6f));
+                    Is.EqualTo(0.55f * hover.amplitude * parameters.amplitude.x * parameters.amplitudeScale).Within(1e-6f));
             }
 
             Assert.That(time, Is.InRange(3f / frequency, 3f / frequency + StepLength + 1e-4f), "three beats");
@@ -110,7 +110,7 @@ namespace Alate.Tests.Play
                 AssertHeld(body);
                 beatsWhole |= (pushing - pushed) * frequency < 0.5f;
                 WingDrive drive = World.Drive(Live.wings[0].handle);
-                Assert.That(drive.amplitude, Is.EqualTo((beatsWhole ? 1f : 0.5f) * Table.DriveNear(0f, 0f).amplitude));
+                Assert.That(drive.amplitude, Is.EqualTo((beatsWhole ? 1f : 0.45f) * Table.DriveNear(0f, 0f).amplitude));
                 perching.Start(ref body, Wings, heading, StepLength);
                 pushed += StepLength;
                 Assert.That(pushed, Is.LessThan(3f));
