@@ -13,7 +13,8 @@ namespace Alate.Catalogue
         private static readonly Color32 s_Dark = new Color32(44, 38, 34, 255);
         private static readonly Color32 s_Green = new Color32(120, 160, 60, 255);
         private static readonly Color32 s_Blue = new Color32(90, 140, 190, 255);
-        private static readonly Color32 s_Eye = new Color32(70, 100, 110, 255);
+        private static readonly Color32 s_Eye = new Color32(58, 104, 138, 255);
+        private static readonly Color32 s_EyeBelow = new Color32(112, 132, 84, 255);
 
         private static readonly CrossSection[] s_Thorax =
         {
@@ -67,9 +68,16 @@ namespace Alate.Catalogue
             parts.Add(
                 Trunk.Through(s_Head, 16, 18), (in BodyPoint point) => Tint.Mix(s_Green, s_Dark, Tint.Below(point.Around, 0.4f, 0.3f)));
             parts.AddPair(
-                Ellipsoid.Around(new Vector3(2.1f, 0.9f, 12.6f), new Vector3(1.9f, 2f, 2.3f), 12, 16), (in BodyPoint point) => s_Eye);
+                Ellipsoid.Around(new Vector3(2.1f, 0.9f, 12.6f), new Vector3(1.9f, 2f, 2.3f), 12, 16), Eye);
             parts.AddAbdomen(Trunk.Through(s_Abdomen, 60, 14, ButterflyParts.Rings(k_AbdomenRings, 0.06f)), Spotted);
             ButterflyParts.AddLegs(parts, s_Legs, 0.28f, (in BodyPoint point) => s_Dark);
+        }
+
+        // Blue above, green below, dark towards the back of the head.
+        private static Color32 Eye(in BodyPoint point)
+        {
+            Color32 colour = Tint.Mix(s_Eye, s_EyeBelow, Tint.Below(point.Place.y, 0.5f, 1.6f));
+            return Tint.Mix(colour, s_Dark, Tint.Below(point.Place.z, 11.3f, 1.2f));
         }
 
         // Green stripes on each flank.

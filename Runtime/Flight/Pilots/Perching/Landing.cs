@@ -25,7 +25,7 @@ namespace Alate.Flight
         private const float k_Reach = 0.4f, k_Close = 0.3f;
 
         /// <summary>Seconds for which what rises to an overhang is taken to go on rising.</summary>
-        private const float k_RiseTime = 0.08f;
+        private const float k_RiseTime = 0.035f;
 
         /// <summary>Reach aside of one that is too low to fly on, over the reach of the others.</summary>
         private const float k_LowReach = 2f;
@@ -187,8 +187,9 @@ namespace Alate.Flight
             float distance = math.length(off);
             bool isNearest = distance < k_Close * situation.wingLength || distance > m_Distance;
             m_Distance = distance;
-            // Below an overhang the raised wings come first: what rises to it is held before they do.
-            float rising = m_Spot.normal.y < k_Overhang ? math.max(-math.dot(situation.velocity, m_Spot.normal), 0f) : 0f;
+            // Below an overhang the raised wings come first: what rises to it beside its reach is held before they do.
+            bool isBelow = m_Spot.normal.y < k_Overhang && distance > reach;
+            float rising = isBelow ? math.max(-math.dot(situation.velocity, m_Spot.normal), 0f) : 0f;
             bool isLow = gap - k_RiseTime * rising < -0.5f * reach && math.length(off - gap * m_Spot.normal) < k_LowReach * reach;
             bool isRocking = distance < k_LowReach * reach && math.length(m_Slip) > k_MostRocking;
             if (isLow || isRocking || distance < reach && isNearest && gap > -0.5f * reach && math.length(situation.velocity) < HoldSpeed)
