@@ -77,7 +77,7 @@ namespace Alate.Tests.Flight
             flyer.situation.velocity = flyer.situation.referenceVelocity = new float3(0f, 0f, 0.12f);
             landing.Next(flyer.situation);
             Assert.That(landing.IsFlaring);
-            flyer.situation.position = seat + 10f * reach * new float3(1.2f, -0.1f, 0f);
+            flyer.situation.position = seat + 10f * reach * new float3(1.2f, 0.2f, 0f);
             flyer.situation.velocity = flyer.situation.referenceVelocity = new float3(0f, rising, 0.05f);
             Assert.That(landing.Next(flyer.situation).wish, Is.EqualTo(rising > 0f ? FlightWish.Perch : FlightWish.Land));
         }
