@@ -30,8 +30,7 @@ namespace Alate.Catalogue
         public static Color Ground(Color ground, double vein, double span, double forward, double softness)
         {
             var colour = Color.Lerp(ground, s_Rust, 0.6f * Ink.Within(vein, k_Beside, 2 * k_Beside));
-            float light = 1f + k_Grain * Ink.Grain(span, forward, k_GrainSize, softness);
-            return new Color(light * colour.r, light * colour.g, light * colour.b, colour.a);
+            return Ink.Lit(colour, 1 + k_Grain * Ink.Grain(span, forward, k_GrainSize, softness));
         }
 
         /// <summary>Share of a vein at a distance from it: veins widen towards the margin.</summary>
@@ -40,6 +39,9 @@ namespace Alate.Catalogue
             double half = k_VeinHalfWidth + k_Flare * Math.Clamp(1 - edge / k_FlareReach, 0, 1);
             return Ink.Within(distance, Math.Max(half, LeastFeature * softness), softness);
         }
+
+        /// <summary>Reach to which the distance of a margin counts.</summary>
+        public static double MarginReach(double softness) => k_FlareReach + softness;
 
         /// <summary>Reach to which the distance of a vein counts.</summary>
         public static double VeinReach(double softness) => 2 * k_Beside + k_Flare + softness;

@@ -57,7 +57,6 @@ namespace Alate.Catalogue
         private readonly StrokeSet m_Costa = new StrokeSet();
         private readonly StrokeSet m_Margin = new StrokeSet();
         private readonly MonotoneCurve m_Tip = MonotoneCurve.Straight(s_TipForward, s_TipSpan).Smoothed();
-        private readonly double[] m_Spots;
 
         /// <summary>Lays the pattern into an outline.</summary>
         public MonarchForePattern(WingOutline outline)
@@ -67,15 +66,18 @@ namespace Alate.Catalogue
             m_Costa.Add(Ink.Edge(outline.LeadingAt, 0, k_MarginStart));
             List<double> margin = Ink.Edge(outline.LeadingAt, k_MarginStart, 1);
             margin.AddRange(Ink.Edge(outline.TrailingAt, 1, MonarchPattern.Notch));
-            m_Spots = MonarchColours.Spots(margin, k_FirstSpot, double.MaxValue);
+            Spots = MonarchColours.Spots(margin, k_FirstSpot, double.MaxValue);
             m_Margin.Add(margin);
         }
+
+        /// <summary>Middles and radii of the spots of the margin, span, forward, radius, …</summary>
+        internal double[] Spots { get; }
 
         /// <inheritdoc/>
         public override Color ColourAt(double span, double forward, double softness)
         {
             double vein = m_Veins.Distance(span, forward, out _, MonarchColours.VeinReach(softness));
-            double edge = m_Margin.Distance(span, forward, out _);
+            double edge = m_Margin.Distance(span, forward, out _, MonarchColours.MarginReach(softness));
             var ground = Color.Lerp(s_Bright, s_Ground, Ink.Within(span, 0.4, 0.5));
             Color colour = MonarchColours.Ground(ground, vein, span, forward, softness);
             double fromBase = Math.Sqrt(span * span + forward * forward);
@@ -90,7 +92,7 @@ namespace Alate.Catalogue
             dark = Math.Max(dark, m_Costa.Line(span, forward, k_CostaWidth, softness));
             colour = Color.Lerp(colour, MonarchColours.Dark, dark);
             float spots = Math.Max(
-                MonarchColours.Spotted(m_Spots, span, forward, softness), Ink.Ellipses(s_Pale, span, forward, softness));
+                MonarchColours.Spotted(Spots, span, forward, softness), Ink.Ellipses(s_Pale, span, forward, softness));
             return Color.Lerp(colour, MonarchColours.Spot, spots);
         }
     }

@@ -41,7 +41,6 @@ namespace Alate.Catalogue
         private readonly StrokeSet m_Veins = new StrokeSet();
         private readonly StrokeSet m_Margin = new StrokeSet();
         private readonly StrokeSet m_Body = new StrokeSet();
-        private readonly double[] m_Spots;
         private readonly double m_MarginLength;
 
         /// <summary>Lays the pattern into an outline.</summary>
@@ -51,16 +50,19 @@ namespace Alate.Catalogue
                 m_Veins.Add(Ink.Smooth(vein));
             List<double> margin = Ink.Edge(outline.TrailingAt, MonarchPattern.Notch, k_Tornus);
             m_MarginLength = Ink.Length(margin);
-            m_Spots = MonarchColours.Spots(margin, k_FirstSpot, m_MarginLength - k_Taper);
+            Spots = MonarchColours.Spots(margin, k_FirstSpot, m_MarginLength - k_Taper);
             m_Margin.Add(margin);
             m_Body.Add(Ink.Edge(outline.TrailingAt, k_Tornus, 0));
         }
+
+        /// <summary>Middles and radii of the spots of the margin, span, forward, radius, …</summary>
+        internal double[] Spots { get; }
 
         /// <inheritdoc/>
         public override Color ColourAt(double span, double forward, double softness)
         {
             double vein = m_Veins.Distance(span, forward, out _, MonarchColours.VeinReach(softness));
-            double edge = m_Margin.Distance(span, forward, out double along);
+            double edge = m_Margin.Distance(span, forward, out double along, MonarchColours.MarginReach(softness));
             double body = m_Body.Distance(span, forward, out _, k_FoldWidth + softness);
             double fromBase = Math.Sqrt(span * span + forward * forward);
             var ground = Color.Lerp(s_Bright, s_Ground, Ink.Within(fromBase, 0.3, 0.3));
@@ -73,7 +75,7 @@ namespace Alate.Catalogue
             dark = Math.Max(dark, Ink.Within(body, k_RimWidth, softness));
             dark = Math.Max(dark, Ink.Ellipses(s_ScentPatch, span, forward, softness));
             colour = Color.Lerp(colour, MonarchColours.Dark, dark);
-            return Color.Lerp(colour, MonarchColours.Spot, MonarchColours.Spotted(m_Spots, span, forward, softness));
+            return Color.Lerp(colour, MonarchColours.Spot, MonarchColours.Spotted(Spots, span, forward, softness));
         }
     }
 }

@@ -37,9 +37,8 @@ namespace Alate.Catalogue
             Color colour = hind < 1f ? m_Fore.ColourAt(span, forward, softness) : default;
             if (hind > 0f)
             {
-                float shadow = (float)(1 - k_ShadowDepth * Ink.Fade(below, k_ShadowWidth));
-                Color under = m_Hind.ColourAt(span, forward, softness);
-                colour = Color.Lerp(colour, new Color(shadow * under.r, shadow * under.g, shadow * under.b, under.a), hind);
+                double shadow = 1 - k_ShadowDepth * Ink.Fade(below, k_ShadowWidth);
+                colour = Color.Lerp(colour, Ink.Lit(m_Hind.ColourAt(span, forward, softness), shadow), hind);
             }
 
             double half = Math.Max(k_SeamHalfWidth, MonarchColours.LeastFeature * softness);

@@ -53,14 +53,12 @@ namespace Alate.Catalogue
             Color colour = hind < 1f ? ForeWing(span, forward, softness) : default;
             if (hind > 0f)
             {
-                float shade = 1f - k_Shadow * (float)Ink.Fade(below, k_ShadowWidth);
-                Color under = HindWing(span, forward, softness);
-                colour = Color.Lerp(colour, new Color(shade * under.r, shade * under.g, shade * under.b, under.a), hind);
+                double shade = 1 - k_Shadow * Ink.Fade(below, k_ShadowWidth);
+                colour = Color.Lerp(colour, Ink.Lit(HindWing(span, forward, softness), shade), hind);
             }
 
             colour = Color.Lerp(colour, s_Grey, m_Rim.Line(span, forward, k_RimWidth, k_RimWidth + softness));
-            float light = 1f + k_Grain * Ink.Grain(span, forward, k_GrainSize, softness);
-            return new Color(light * colour.r, light * colour.g, light * colour.b, colour.a);
+            return Ink.Lit(colour, 1 + k_Grain * Ink.Grain(span, forward, k_GrainSize, softness));
         }
 
         private Color ForeWing(double span, double forward, double softness)
@@ -81,7 +79,7 @@ namespace Alate.Catalogue
             var colour = Color.Lerp(s_Pink, s_PinkBase, Ink.Within(Math.Sqrt(span * span + forward * forward), 0.25, 0.3));
             double vein = Math.Max(k_VeinHalfWidth, k_LeastFeature * softness);
             colour = Color.Lerp(colour, s_Grey, k_HindVein * m_HindVeins.Veins(span, forward, vein, softness + k_VeinHalfWidth));
-            double edge = m_HindMargin.Distance(span, forward, out double along);
+            double edge = m_HindMargin.Distance(span, forward, out double along, k_BorderWidth + 0.02 + softness);
             double width = k_BorderWidth * Math.Clamp(along / k_BorderTaper, 0, 1);
             return Color.Lerp(colour, s_Grey, Ink.Within(edge, width, softness + 0.02));
         }

@@ -50,6 +50,13 @@ namespace Alate.Catalogue
             return inside;
         }
 
+        /// <summary>A colour in more or less light; its opacity stays.</summary>
+        public static Color Lit(Color colour, double light)
+        {
+            float factor = (float)light;
+            return new Color(factor * colour.r, factor * colour.g, factor * colour.b, colour.a);
+        }
+
         /// <summary>Share that falls from 1 at a place to 0 at a reach from it, and turns out there without a step.</summary>
         public static double Fade(double distance, double reach)
         {

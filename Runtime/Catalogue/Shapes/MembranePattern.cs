@@ -97,9 +97,8 @@ namespace Alate.Catalogue
         {
             float turn = (float)Math.Sin(2 * Math.PI * (2.3 * span + 3.1 * forward + 0.35 * Math.Sin(9 * span)));
             Color film = turn > 0f ? s_Pink : s_Green;
-            float share = Sheen * Math.Abs(turn);
-            return new Color(
-                Mathf.Lerp(colour.r, film.r, share), Mathf.Lerp(colour.g, film.g, share), Mathf.Lerp(colour.b, film.b, share), colour.a);
+            film.a = colour.a;
+            return Color.Lerp(colour, film, Sheen * Math.Abs(turn));
         }
     }
 }

@@ -24,8 +24,7 @@ namespace Alate.Catalogue
         {
             var colour = Color.Lerp(Yellow, s_Pale, Ink.Within(-towardsTip, -0.55, 0.5));
             colour = Color.Lerp(colour, s_Ochre, 0.5f * Ink.Within(vein, k_Beside, 2 * k_Beside));
-            float light = 1f + k_Grain * Ink.Grain(span, forward, k_GrainSize, softness);
-            return new Color(light * colour.r, light * colour.g, light * colour.b, colour.a);
+            return Ink.Lit(colour, 1 + k_Grain * Ink.Grain(span, forward, k_GrainSize, softness));
         }
 
         /// <summary>Colour with scales of another one strewn over it: few where the share is small, all of it where it is 1.</summary>
@@ -42,6 +41,9 @@ namespace Alate.Catalogue
 
         /// <summary>Reach to which the distance of a vein counts.</summary>
         public static double VeinReach(double softness) => Math.Max(2 * k_Beside, k_CreepReach) + softness;
+
+        /// <summary>Reach to which the distance of a border of a width counts.</summary>
+        public static double BorderReach(double width, double softness) => width + k_Creep + 2 * softness + k_Beside;
 
         /// <summary>Width of a border that creeps along the veins, so that it is an arc in each cell.</summary>
         public static double Scalloped(double width, double vein) => width + k_Creep * Ink.Fade(vein, k_CreepReach);

@@ -66,7 +66,8 @@ namespace Alate.Catalogue
         public override Color ColourAt(double span, double forward, double softness)
         {
             double vein = m_Veins.Distance(span, forward, out _, SwallowtailColours.VeinReach(softness));
-            double edge = m_Border.Distance(span, forward, out double along);
+            double reach = SwallowtailColours.BorderReach(k_BorderWidth, softness);
+            double edge = m_Border.Distance(span, forward, out double along, reach);
             Color colour = SwallowtailColours.Ground(span, vein, span, forward, softness);
             double fromBase = Math.Sqrt(span * span + forward * forward);
             colour = SwallowtailColours.Dusted(colour, SwallowtailColours.Black, Ink.Within(fromBase, k_BaseReach, 0.16), span, forward,

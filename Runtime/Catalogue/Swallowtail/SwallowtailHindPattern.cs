@@ -65,7 +65,8 @@ namespace Alate.Catalogue
         public override Color ColourAt(double span, double forward, double softness)
         {
             double vein = m_Veins.Distance(span, forward, out _, SwallowtailColours.VeinReach(softness));
-            double edge = m_Border.Distance(span, forward, out double along);
+            double reach = SwallowtailColours.BorderReach(k_BorderWidth, softness);
+            double edge = m_Border.Distance(span, forward, out double along, reach);
             Color colour = SwallowtailColours.Ground(0.7 + forward, vein, span, forward, softness);
             double fromBase = Math.Sqrt(span * span + forward * forward);
             float dusk = Math.Max(Ink.Within(fromBase, k_BaseReach, 0.12), 0.75f * m_Body.Line(span, forward, k_FoldWidth, 0.05));

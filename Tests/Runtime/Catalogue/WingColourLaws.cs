@@ -10,6 +10,10 @@ namespace Alate.Tests
     /// <summary>Laws of the curves, grains and spots that wings are painted with.</summary>
     public sealed class WingColourLaws
     {
+        // Of length 1: leading edge at 0.1, trailing edge at -0.3.
+        private static WingOutline Plate() =>
+            WingOutline.FromMillimetres(new[] { 0.0, 25.0, 50.0 }, new[] { 5.0, 5.0, 5.0 }, new[] { -15.0, -15.0, -15.0 });
+
         [Test]
         public void ASmoothCurve_GoesThroughItsPoints_AndTurnsNoCorner()
         {
@@ -93,9 +97,7 @@ namespace Alate.Tests
         public void TheSpotsOfAMonarch_AreWhole_AndApart()
         {
             WingOutline outline = InsectCatalogue.Find("monarch").Wings[0].Contour;
-            double[] fore = MonarchColours.Spots(Ink.Edge(outline.TrailingAt, 1, MonarchPattern.Notch), 0.02, double.MaxValue),
-                hind = MonarchColours.Spots(Ink.Edge(outline.TrailingAt, MonarchPattern.Notch, 0.33), 0.025, double.MaxValue);
-            foreach (double[] spots in new[] { fore, hind })
+            foreach (double[] spots in new[] { new MonarchForePattern(outline).Spots, new MonarchHindPattern(outline).Spots })
             {
                 Assert.That(spots.Length, Is.GreaterThan(3 * 12));
                 for (int k = 0; k < spots.Length; k += 3)
@@ -126,6 +128,23 @@ namespace Alate.Tests
         }
 
         [Test]
+        public void Light_ChangesNoOpacity() =>
+            Assert.That(Ink.Lit(new Color(0.2f, 0.4f, 0.6f, 0.3f), 0.5), Is.EqualTo(new Color(0.1f, 0.2f, 0.3f, 0.3f)));
+
+        // The second vein is over at 0.24 of the span: a cross vein from farther out would run along the margin.
+        [Test]
+        public void BeyondTheTipOfTheNextVein_NothingIsCrossedTo()
+        {
+            WingOutline plate = Plate();
+            VeinFan fan = new VeinFan(plate, 0.0).Add(0.5, 0.9).Cross(0, 0.1, 0.6);
+            float Drawn(double span) =>
+                Enumerable.Range(0, 40).Max(k => fan.CrossVeins(span, -0.1 - 0.005 * k, 0.01, 0.002));
+
+            Assert.That(Drawn(0.058), Is.EqualTo(1f), "within the length of both");
+            Assert.That(Math.Max(Drawn(0.6), Drawn(0.4)), Is.Zero);
+        }
+
+        [Test]
         public void StrewnScales_CoverAsMuchAsTheirShare()
         {
             Color ground = new Color(1f, 0.8f, 0.4f), dust = new Color(0f, 0f, 0.1f);
@@ -140,8 +159,7 @@ namespace Alate.Tests
         [Test]
         public void AMembrane_HasAStigma_AndASheenThatKeepsItClear()
         {
-            var plate =
-                WingOutline.FromMillimetres(new[] { 0.0, 25.0, 50.0 }, new[] { 5.0, 5.0, 5.0 }, new[] { -15.0, -15.0, -15.0 });
+            WingOutline plate = Plate();
             Color Of(float sheen, float stigma, double span, double forward) =>
                 new MembranePattern(plate, new VeinFan(plate, 0.0).Add(0.6))
                 {

@@ -64,22 +64,27 @@ namespace Alate.Tests.Flight
             Assert.That(command.velocity.y, Is.LessThan(-0.06f), "steeper than the line");
         }
 
-        // Its raised wings would meet the ceiling before it is as near as one that comes slowly may get.
-        [Test]
-        public void BelowACeiling_WhoeverRisesFast_IsHeldBeforeItIsTooNear([Values(0f, 0.3f)] float rising)
+        // Its raised wings would meet the ceiling before it is as near as one that comes slowly may get. Within its reach, and over a
+        // floor, it may come nearer.
+        [TestCase(-1f, 1.2f, 0.3f, FlightWish.Perch)]
+        [TestCase(-1f, 1.2f, 0f, FlightWish.Land)]
+        [TestCase(-1f, 0.5f, 0.3f, FlightWish.Land)]
+        [TestCase(1f, 1.2f, 0.3f, FlightWish.Land)]
+        public void BelowACeiling_WhoeverRisesFastBesideItsReach_IsHeldBeforeItIsTooNear(
+            float up, float aside, float nearing, FlightWish wish)
         {
-            var spot = new PerchSpot { position = new float3(1f, 2f, 3f), normal = new float3(0f, -1f, 0f), heading = 0f };
+            var spot = new PerchSpot { position = new float3(1f, 2f, 3f), normal = new float3(0f, up, 0f), heading = 0f };
             var landing = new Landing(spot, k_Stand);
             var flyer = new PointFlyer();
             float reach = 0.4f * flyer.situation.wingLength, height = k_Stand + Landing.Clearance * flyer.situation.wingLength;
             float3 seat = spot.position + 10f * height * spot.normal;
-            flyer.situation.position = seat + 10f * new float3(0f, -0.15f * 0.4f, -0.4f);
+            flyer.situation.position = seat + 10f * new float3(0f, up > 0f ? 0.45f * 0.5f : -0.15f * 0.4f, up > 0f ? -0.5f : -0.4f);
             flyer.situation.velocity = flyer.situation.referenceVelocity = new float3(0f, 0f, 0.12f);
             landing.Next(flyer.situation);
             Assert.That(landing.IsFlaring);
-            flyer.situation.position = seat + 10f * reach * new float3(1.2f, 0.2f, 0f);
-            flyer.situation.velocity = flyer.situation.referenceVelocity = new float3(0f, rising, 0.05f);
-            Assert.That(landing.Next(flyer.situation).wish, Is.EqualTo(rising > 0f ? FlightWish.Perch : FlightWish.Land));
+            flyer.situation.position = seat + 10f * reach * new float3(aside, -0.2f * up, 0f);
+            flyer.situation.velocity = flyer.situation.referenceVelocity = new float3(0f, -nearing * up, 0.05f);
+            Assert.That(landing.Next(flyer.situation).wish, Is.EqualTo(wish));
         }
 
         // Six seconds more than the line takes at half of its speed, 0.12 m/s, without coming nearer.
