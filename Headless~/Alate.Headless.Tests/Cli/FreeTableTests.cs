@@ -30,6 +30,34 @@ public sealed class FreeTableTests
         Assert.That(row["state"], Is.EqualTo("Flying"));
     }
 
+    [Test]
+    public void TheTrajectory_HasTheCommandOfThePilot_BesideTheReference()
+    {
+        Dictionary<string, string> row = Trajectory(
+            s_Moment with { Commanded = new float3(7f, -8f, 9f), CommandedHeading = 0.5 * Math.PI }), along = Trajectory(s_Moment);
+
+        AssertAll(row, ("commanded_vx_m_s", 7), ("commanded_vy_m_s", -8), ("commanded_vz_m_s", 9), ("commanded_heading_deg", 90));
+        Assert.That(along["commanded_heading_deg"], Is.Empty, "along the way");
+    }
+
+    // 100 m/s are asked for; the reference stays within what a monarch flies.
+    [Test]
+    public void AFlight_RecordsWhatItsPilotAskedFor()
+    {
+        FreeRecord flight = FreeRun.Fly(
+            new FreePlan
+            {
+                Insect = Alate.Catalogue.InsectCatalogue.Find("monarch"),
+                Seconds = 0.2,
+                Pilot = new FreePilot("rush", [], false, (_, _) => new Rush()),
+            },
+            _ => { });
+
+        Assert.That(flight.Moments.Select(at => at.Commanded), Is.All.EqualTo(new float3(0f, 0f, 100f)));
+        Assert.That(flight.Moments.Select(at => at.CommandedHeading), Is.All.EqualTo(0.25).Within(1e-6));
+        Assert.That(flight.Moments.Max(at => math.length(at.Wanted)), Is.LessThan(3f));
+    }
+
     [TestCase(30f, 0f, 0f)]
     [TestCase(0f, 20f, 0f)]
     [TestCase(0f, 0f, 25f)]
@@ -139,4 +167,9 @@ public sealed class FreeTableTests
     }
 
     private static double Number(string text) => double.Parse(text, CultureInfo.InvariantCulture);
+
+    private sealed class Rush : IFlightPilot
+    {
+        public FlightCommand Command(in FlightSituation situation) => FlightCommand.Fly(new float3(0f, 0f, 100f), 0.25f);
+    }
 }

@@ -22,7 +22,8 @@ internal static class FreeRun
             if (pilot != null)
                 recording.Steps.Add(Next(plan, flight, pilot));
             recording.Fly(flight, step, ref push);
-            moments.Add(Moment(flight));
+            RecordedStep flown = recording.Steps[step];
+            moments.Add(Moment(flight) with { Commanded = flown.velocity, CommandedHeading = flown.heading });
             powers.Add(Powers(flight, model));
             progress(step + 1);
         }

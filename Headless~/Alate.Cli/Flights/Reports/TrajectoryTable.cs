@@ -5,8 +5,8 @@ internal static class TrajectoryTable
 {
     private static readonly string[] s_Header =
     [
-        "time_s", "x_m", "y_m", "z_m", "vx_m_s", "vy_m_s", "vz_m_s", "wanted_vx_m_s", "wanted_vy_m_s", "wanted_vz_m_s", "heading_deg",
-        "pitch_deg", "roll_deg",
+        "time_s", "x_m", "y_m", "z_m", "vx_m_s", "vy_m_s", "vz_m_s", "wanted_vx_m_s", "wanted_vy_m_s", "wanted_vz_m_s",
+        "commanded_vx_m_s", "commanded_vy_m_s", "commanded_vz_m_s", "commanded_heading_deg", "heading_deg", "pitch_deg", "roll_deg",
         "wx_rad_s", "wy_rad_s", "wz_rad_s", "phase_deg", "frequency_hz", "half_flap_deg", "aid_w", "state",
     ];
 
@@ -18,14 +18,17 @@ internal static class TrajectoryTable
         double[] numbers =
         [
             at.Time, at.Position.x, at.Position.y, at.Position.z, at.Velocity.x, at.Velocity.y, at.Velocity.z, at.Wanted.x,
-            at.Wanted.y, at.Wanted.z,
+            at.Wanted.y, at.Wanted.z, at.Commanded.x, at.Commanded.y, at.Commanded.z, Degrees(at.CommandedHeading),
             Degrees(Math.Atan2(ahead.x, ahead.z)), Degrees(Math.Asin(Math.Clamp(ahead.y, -1f, 1f))),
             Degrees(-Math.Asin(Math.Clamp(right.y, -1f, 1f))),
             at.AngularVelocity.x, at.AngularVelocity.y, at.AngularVelocity.z, Degrees(at.Phase), at.Frequency,
             Degrees(at.Amplitude), at.AidPower,
         ];
-        return [.. numbers.Select(number => number.ToString("0.######", CultureInfo.InvariantCulture)), at.State.ToString()];
+        return [.. numbers.Select(Text), at.State.ToString()];
     }
+
+    // Nothing where no heading is asked for.
+    private static string Text(double number) => double.IsNaN(number) ? "" : number.ToString("0.######", CultureInfo.InvariantCulture);
 
     private static double Degrees(double radians) => 180.0 / Math.PI * radians;
 }
