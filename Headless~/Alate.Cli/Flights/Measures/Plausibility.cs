@@ -1,8 +1,8 @@
 namespace Alate.Cli;
 
-/// <summary>Numbers of an insect beside those of real ones, and questions about their units.</summary>
+/// <summary>Numbers of an insect beside those of real ones, and questions about their units and the air.</summary>
 /// <param name="Wings">Groups of each kind of wing.</param>
-/// <param name="Doubts">A question for each number whose unit may be another one.</param>
+/// <param name="Doubts">A question for each number whose unit may be another one, and for air that is not felt as it is.</param>
 internal sealed record Plausibility(IReadOnlyList<WingGroups> Wings, IReadOnlyList<string> Doubts)
 {
     /// <summary>Groups with a number outside of their range.</summary>
@@ -20,5 +20,5 @@ internal sealed record Plausibility(IReadOnlyList<WingGroups> Wings, IReadOnlyLi
     }
 
     private static Plausibility Of(FlightPlan plan, IReadOnlyList<RecordedWing> wings) =>
-        new(WingGroups.Of(plan, wings), UnitDoubts.Of(plan, wings).ToList());
+        new(WingGroups.Of(plan, wings), [.. UnitDoubts.Of(plan, wings), .. FeltAir.Of(plan, wings)]);
 }
