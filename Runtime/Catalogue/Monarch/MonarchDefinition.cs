@@ -72,7 +72,7 @@ namespace Alate.Catalogue
                 new InsectSource("elasticity k_e", "1", "the paper, Table 2"),
                 new InsectSource("triangles", "4192 on two wings", "the paper, Table 2"),
                 new InsectSource("chord delay λ", "0.15",
-                    "chosen so that the trailing edge lags by some 27°, within the 10 to 40° measured on butterflies"),
+                    "chosen so that the trailing edge lags by some 27°, within the 10 to 40° expected, not measured"),
                 new InsectSource("k_e, λ, μ, w_0, decay, κ", "0.35, 0.22, 0.25, 0.65, 0.5, 30",
                     "chosen for the eye: wings that bow and roll", InsectVariant.Expressive),
                 new InsectSource("last chain's tip", "span 26.9 mm", "chosen: the rearmost point of the hind wing"),

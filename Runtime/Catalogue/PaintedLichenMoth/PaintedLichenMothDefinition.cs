@@ -79,7 +79,7 @@ namespace Alate.Catalogue
                 new InsectSource("MAX_a flap, feather, sweep", "126°, 37°, 37°", "the paper, Table 1"),
                 new InsectSource("elasticity k_e", "1.8", "the paper, Table 2"),
                 new InsectSource("triangles", "1648 on two wings", "the paper, Table 2"),
-                new InsectSource("chord delay λ", "0.15", "chosen: a lag of some 20°, within the 10 to 40° measured on butterflies"),
+                new InsectSource("chord delay λ", "0.15", "chosen: a lag of some 20°, within the 10 to 40° expected, not measured"),
                 new InsectSource(
                     "k_e, λ, μ, w_0, decay, joint limit, κ", "0.28, 0.28, 0.35, 0.55, 0.35, 40°, 60",
                     "chosen for the eye: tips that cup, as in the paper's Fig. 12", expressive),

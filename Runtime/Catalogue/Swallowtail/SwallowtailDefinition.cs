@@ -152,7 +152,7 @@ namespace Alate.Catalogue
                 new InsectSource("elasticity k_e", "1", "assumed: the monarch's of Table 2"),
                 new InsectSource("triangles", "4800 on four wings", "chosen: about the density of the monarch's mesh"),
                 new InsectSource("chord delay λ", "0.1",
-                    "chosen: over both wings the rear edge lags by some 40°, the upper end of what was measured on butterflies"),
+                    "chosen: over both wings the rear edge lags by some 40°, the upper end of what is expected, not measured"),
                 new InsectSource("k_e, λ, μ, w_0, decay, κ", "0.45, 0.14, 0.2, 0.7, 0.6, 30",
                     "chosen for the eye: wings that bow and tails that trail", expressive),
                 new InsectSource(

@@ -318,7 +318,7 @@ namespace Alate
         public static class MeanFlap { public const float Min = -90f, Default = 10f, Max = 90f; }
         public static class Tilt { public const float Min = -90f, Default = 0f, Max = 90f; }
         public static class PhaseLead { public const float Min = -180f, Default = 0f, Max = 180f; }
-        // The trailing edge of a measured butterfly lags by 10 to 40°, not by Eq. 2's half beat.
+        // A trailing edge is expected to lag by 10 to 40°, not by Eq. 2's half beat.
         public static class ChordDelay { public const float Min = 0f, Default = 0.15f, Max = 2f; }
         public static class SpanDelay { public const float Min = 0f, Default = 0.1f, Max = 2f; }
         public static class RootShare { public const float Min = 0f, Default = 0.8f, Max = 1f; }
