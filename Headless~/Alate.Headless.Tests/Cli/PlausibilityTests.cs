@@ -166,6 +166,29 @@ namespace Alate.Tests.Cli
             Assert.That(run.Output, Does.Contain("? The prescribed flap of the fore wing is 1.04°: were radians meant?"));
         }
 
+        // The file has one unit for angles and phases; a phase from another paper stands alone in it.
+        [TestCase("1.5708", true)]
+        [TestCase("-0.7854", true)]
+        [TestCase("2.0944", true)]
+        [TestCase("1.5", false)]
+        [TestCase("0", false)]
+        [TestCase("-69.25", false)]
+        public void ASinglePhaseInRadians_IsAskedAbout(string phase, bool isAsked)
+        {
+            using var run = new CommandRun();
+            string motion = run.Write("phase.json", $$"""
+                {
+                  "frequencyHz": 36, "angles": "degrees",
+                  "wings": { "fore wing": { "flap": { "mean": 0, "harmonics": [[52, {{phase}}]] } } }
+                }
+                """);
+            FlightSummary flown = FlightSummary.Of(
+                PlannedFlight.Fly("dragonfly", "--kinematics", motion, "--seconds", "0.1"));
+
+            Assert.That(flown.Plausibility.Doubts.Any(doubt => doubt.StartsWith("The largest prescribed phase of the fore wing is ")),
+                Is.EqualTo(isAsked));
+        }
+
         [TestCase("--speed", "1300")]
         [TestCase("--climb", "1300")]
         [TestCase("--wind", "0,0,1300")]

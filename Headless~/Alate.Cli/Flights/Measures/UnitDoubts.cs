@@ -20,6 +20,9 @@ internal static class UnitDoubts
     /// <summary>Largest phase of a harmonic in radians, and the largest that anyone writes in degrees.</summary>
     private const double k_RadianPhase = 2 * Math.PI, k_DegreePhase = 720;
 
+    /// <summary>Largest difference of a phase from the number that was written, degrees.</summary>
+    private const double k_Written = 1e-4;
+
     /// <summary>Densities between which there is neither a gas nor a liquid to fly in, and the least one, kg/m³.</summary>
     private const double k_Thin = 0.3, k_Dense = 2, k_Light = 600;
 
@@ -117,7 +120,9 @@ internal static class UnitDoubts
         double[] phases = new[] { motion.flap, motion.sweep, motion.feather, motion.tilt }
             .SelectMany(series => series.harmonics ?? []).Select(harmonic => (double)harmonic.y).Where(phase => phase != 0).ToArray();
         double largest = phases.Select(Math.Abs).DefaultIfEmpty().Max();
-        if (phases.Length > 1 && largest <= k_RadianPhase && phases.Any(phase => phase != Math.Round(phase)))
+        // A single one may be 1.5°; those that are written with more digits are π over something.
+        int digits = phases.Length > 1 ? 0 : 1;
+        if (largest <= k_RadianPhase && phases.Any(phase => Math.Abs(phase - Math.Round(phase, digits)) > k_Written))
             yield return AskForRadians($"The largest prescribed phase of the {name}", largest);
         if (largest > k_DegreePhase)
         {
