@@ -45,7 +45,11 @@ internal static class StudyCommand
             if (parsed.GetValue(slurm) is int jobs)
                 WriteScript(given, k_Slurm, StudyScripts.Slurm(Name(path), full, shared, jobs), output);
             if (parsed.GetValue(kubernetes) is int indices)
-                WriteScript(given, k_Kubernetes, StudyScripts.Kubernetes(Name(path), full, shared, indices), output);
+            {
+                IEnumerable<string> read = ReadFiles.Paths.Select(Path.GetFullPath);
+                WriteScript(given, k_Kubernetes, StudyScripts.Kubernetes(Name(path), full, shared, read, indices), output);
+            }
+
             if (parsed.GetValue(slurm) == null && parsed.GetValue(kubernetes) == null)
                 Fly(plan, given, Shard(parsed.GetValue(shard)), parsed.GetValue(workers), output);
             return 0;
