@@ -182,7 +182,7 @@ namespace Alate.Tests.Cli
                   "wings": { "fore wing": { "flap": { "mean": 0, "harmonics": [[52, {{phase}}]] } } }
                 }
                 """);
-            FlightSummary flown = FlightSummary.Of(
+            var flown = FlightSummary.Of(
                 PlannedFlight.Fly("dragonfly", "--kinematics", motion, "--seconds", "0.1"));
 
             Assert.That(flown.Plausibility.Doubts.Any(doubt => doubt.StartsWith("The largest prescribed phase of the fore wing is ")),
