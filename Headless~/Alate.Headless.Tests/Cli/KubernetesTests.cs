@@ -33,16 +33,16 @@ public sealed class KubernetesTests
         Assert.That((At(job, "spec", "completionMode"), At(job, "spec", "completions")), Is.EqualTo(("Indexed", "6")));
     }
 
-    // An insect file in a folder of its own, with a blank, a colon and a quote in their names.
+    // An insect file in a folder whose name begins as that of the study's folder does, with blanks, a colon and a quote.
     [Test]
     public void ThePodsOfAJob_SeeAllThatTheyRead_AndFlyTheStudy()
     {
         using var run = new CommandRun();
-        string insects = Directory.CreateDirectory(Path.Combine(run.Folder, "own: #1 insects")).FullName,
+        string insects = Directory.CreateDirectory(Path.Combine(run.Folder, "it's a study: #1")).FullName,
             studies = Directory.CreateDirectory(Path.Combine(run.Folder, "it's a study")).FullName,
             insect = Path.Combine(insects, "moth.insect.json"), file = Path.Combine(studies, "moth.study.json");
         File.WriteAllText(insect, InsectFileText.Write(InsectCatalogue.Find("painted-lichen-moth")));
-        File.WriteAllText(file, k_Study.Replace("INSECT", "../own: #1 insects/moth.insect.json"));
+        File.WriteAllText(file, k_Study.Replace("INSECT", "../it's a study: #1/moth.insect.json"));
         Dictionary<object, object> job = Write(run, file, 2);
 
         var pod = (Dictionary<object, object>)At(job, "spec", "template", "spec");

@@ -106,6 +106,7 @@ namespace Alate.Tests.Play.Headless
                 Name = insect.name,
                 Surface = drawn.Surface(),
                 Wings = flown.Wings,
+                Abdomens = flown.Abdomens,
                 Clips = flown.Clips,
                 MetresPerUnit = flown.MetresPerUnit,
                 WingLength = flown.WingLength,
