@@ -6,7 +6,7 @@ using NUnit.Framework;
 
 namespace Alate.Tests.Cli
 {
-    /// <summary>Lifts of a monarch on the spot that pages tell in words, which no command writes again.</summary>
+    /// <summary>Lifts of a monarch that is held at its cruise, as pages tell them in words, which no command writes again.</summary>
     public sealed class ManualLiftLaws
     {
         [TestCase("README.md", @"standard strokes carry ([\d.]+) of a monarch's weight", 0)]

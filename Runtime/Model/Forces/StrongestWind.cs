@@ -16,17 +16,20 @@ namespace Alate
         public static void Derive(in WingPack pack)
         {
             var wind = SoaFloat3.Clamp(pack.surroundings->wind, -k_Most, k_Most);
-            pack.surroundings->boundWind = pack.options.coupling == MembraneCoupling.OneWay ? wind : wind * FeltShare(pack, wind);
+            pack.surroundings->boundWind = pack.options.coupling == MembraneCoupling.OneWay
+                ? wind
+                : wind * FeltShare(math.sqrt(SoaFloat3.LengthSquared(wind)) / pack.parameters->strongestWind);
         }
 
         /// <summary>Speed of the bounded wind, L/s.</summary>
         public static float4 Speed(in WingPack pack) => math.sqrt(SoaFloat3.LengthSquared(pack.surroundings->boundWind));
 
+        /// <summary>Share of a wind that is felt.</summary>
+        /// <param name="x">Its speed over that of the strongest wind.</param>
         // (1 + x¹⁶)^(−0.75/16), which is 1 below 0.8 to a thousandth; as t^−0.75 (t^−16 + (x/t)¹⁶)^(−0.75/16) with t = max(x, 1), so that
         // no speed overflows.
-        private static float4 FeltShare(in WingPack pack, in SoaFloat3 wind)
+        public static float4 FeltShare(float4 x)
         {
-            float4 x = math.sqrt(SoaFloat3.LengthSquared(wind)) / pack.parameters->strongestWind;
             float4 t = math.max(x, 1f), inverse = 1f / t;
             return 1f / (ThreeQuarters(t) * ThreeQuarters(Root16(Power16(inverse) + Power16(x * inverse))));
         }

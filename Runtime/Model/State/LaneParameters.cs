@@ -85,6 +85,10 @@ namespace Alate
         /// <summary>Commands of a flight controller; no parameter changes them.</summary>
         public LaneDrive drive;
 
+        /// <summary>Strongest wind that bends a wing freely, L/s.</summary>
+        public static float StrongestWindOf(in WingParameters p) =>
+            p.strongestWind * 2f * math.PI * p.referenceFrequency * math.max(p.amplitude.x, k_LeastAmplitude);
+
         /// <summary>Writes one wing's parameters, which are in range.</summary>
         public void Set(int lane, in WingParameters p)
         {
@@ -101,7 +105,7 @@ namespace Alate
             spanDelay[lane] = math.PI * p.spanDelay;
             float lead = p.phaseLead / (2f * math.PI);
             wingDelay[lane] = 2f * math.PI * (math.ceil(lead) - lead);
-            strongestWind[lane] = p.strongestWind * 2f * math.PI * p.referenceFrequency * math.max(p.amplitude.x, k_LeastAmplitude);
+            strongestWind[lane] = StrongestWindOf(p);
 
             float beatRate = 2f * math.PI * p.referenceFrequency;
             bendScale[lane] = p.elasticity * beatRate * beatRate;

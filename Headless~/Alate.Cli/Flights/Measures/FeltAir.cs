@@ -6,9 +6,6 @@ namespace Alate.Cli;
 /// </summary>
 internal static class FeltAir
 {
-    /// <summary>Flap below which the strongest wind does not fall, radians from the middle, as the model has it.</summary>
-    private const double k_LeastFlap = 0.1;
-
     /// <summary>Share of the air that is felt, below which it is said.</summary>
     private const double k_Least = 0.98;
 
@@ -32,15 +29,10 @@ internal static class FeltAir
     /// <summary>Speed of the air that a wing feels, m/s.</summary>
     /// <param name="wing">The wing.</param>
     /// <param name="air">Speed of the air past the body, m/s.</param>
-    public static double Felt(RecordedWing wing, double air)
-    {
-        if (wing.Parameters.options.coupling == MembraneCoupling.OneWay)
-            return air;
-        return air * Math.Pow(1 + Math.Pow(air / Strongest(wing), 16), -0.75 / 16);
-    }
+    public static double Felt(RecordedWing wing, double air) => wing.Parameters.options.coupling == MembraneCoupling.OneWay
+        ? air
+        : air * StrongestWind.FeltShare((float)(air / Strongest(wing))).x;
 
-    // The model's, m/s.
     private static double Strongest(RecordedWing wing) =>
-        wing.Parameters.strongestWind * 2 * Math.PI * wing.Parameters.referenceFrequency
-        * Math.Max(wing.Parameters.amplitude.x, k_LeastFlap) * wing.Wing.Preset.Size.wingLength;
+        LaneParameters.StrongestWindOf(wing.Parameters) * wing.Wing.Preset.Size.wingLength;
 }
