@@ -15,6 +15,9 @@ namespace Alate.Authoring
         /// <summary>Least share of the wing's rim that is clear; with less, the outline is in doubt.</summary>
         private const double k_ClearRim = 0.9;
 
+        /// <summary>Share below which the outline is no wing's: most of it follows nothing in the picture.</summary>
+        private const double k_LeastClearRim = 0.35;
+
         /// <summary>Traces a picture.</summary>
         /// <param name="picture">A silhouette, a line drawing or a photo of one wing on plain or transparent ground.</param>
         /// <param name="settings">What is known about the wing and wanted of the mesh.</param>
@@ -32,6 +35,14 @@ namespace Alate.Authoring
             settings.Check(picture);
             var working = new WorkingPicture(picture);
             var wing = WingSeparation.Of(working);
+            double clear = wing.ClearRim;
+            if (clear < k_LeastClearRim)
+            {
+                throw new FormatException(
+                    $"No wing was found: what stands out has a faint edge on {Faint(clear)} % of its outline. A plain ground, or a "
+                    + "transparent one, shows where the wing ends.");
+            }
+
             PlanPoint[] outline = OutlineFinder.Find(wing, working.Factor);
             TriangleLinks mesh = OutlineMesher.Mesh(outline, settings.triangles, out _);
             var lines = new VeinLines(working, wing.Mask, outline);
@@ -39,7 +50,6 @@ namespace Alate.Authoring
             var skeleton = new TracedSkeleton(fit, outline);
             List<RadialVein> veins = lines.Radial(skeleton.Hinge, skeleton.Length);
             skeleton.Follow(veins);
-            double clear = wing.ClearRim;
             float confidence = clear < k_ClearRim ? (float)clear * fit.Confidence : fit.Confidence;
             VeinWidths widths = settings.veinWidths
                 ? new VeinWidths(RidgeField.Shades(working, wing.Mask), working.Factor, skeleton.Length)
@@ -58,11 +68,12 @@ namespace Alate.Authoring
                 warnings.Add("The wing touches the picture's edge; what lies beyond it is missing.");
             if (clear < k_ClearRim)
             {
-                warnings.Add(
-                    $"The wing's edge is faint on {Math.Ceiling(100.0 * (1.0 - clear)):F0} % of the outline, which may be wrong there.");
+                warnings.Add($"The wing's edge is faint on {Faint(clear)} % of the outline, which may be wrong there.");
             }
             return warnings;
         }
+
+        private static int Faint(double clear) => (int)Math.Ceiling(100.0 * (1.0 - clear));
 
         // In the plane y = 0, facing up, with the picture's texture coordinates.
         private static SurfaceMesh Surface(TriangleLinks mesh, WingPlacement placement)

@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 
 namespace Alate.Authoring
 {
@@ -14,7 +15,12 @@ namespace Alate.Authoring
         /// <summary>Least contrast behind a clear edge, in multiples of the ground's own noise.</summary>
         private const double k_Clear = 1.5;
 
+        /// <summary>Half of the least width of a membrane beside a vein, as a share of the longer side; shadows are narrower.</summary>
+        private const double k_Broad = 0.01;
+
+        private readonly PixelPlane m_Contrast;
         private readonly PixelPlane m_Highest;
+        private readonly int m_Reach;
         private readonly double m_Noise;
 
         /// <param name="contrast">How far each pixel is from the ground, shades.</param>
@@ -22,11 +28,36 @@ namespace Alate.Authoring
         /// <param name="blur">Width of the bell by which the picture was smoothed, pixels.</param>
         public EdgeContrast(PixelPlane contrast, double noise, double blur)
         {
-            m_Highest = contrast.Highest((int)Math.Ceiling(2.5 * blur));
+            m_Contrast = contrast;
+            m_Reach = (int)Math.Ceiling(2.5 * blur);
+            m_Highest = contrast.Highest(m_Reach);
             m_Noise = noise;
             excess = new PixelPlane(contrast.width, contrast.height);
             for (int k = 0; k < excess.values.Length; k++)
                 excess.values[k] = contrast.values[k] - Math.Max((float)noise, k_EdgeShare * m_Highest.values[k]);
+        }
+
+        /// <summary>
+        /// Pixels of the wing: of positive <see cref="excess"/>, and what stands out at all in slits between its largest part and other
+        /// broad ones. Beside a dark vein, a pale membrane has less than half of the contrast nearby, as a rim has.
+        /// </summary>
+        public PixelMask WithoutSlits()
+        {
+            PixelMask sure = excess.Above(0f);
+            List<PixelPart> parts = sure.Parts();
+            if (parts.Count == 0)
+                return sure;
+            double broad = Math.Max(2.0 * m_Reach, k_Broad * Math.Max(sure.width, sure.height));
+            PixelMask wing = sure.Shrunk(broad).Grown(broad);
+            parts[0].AddTo(wing);
+            wing = wing.Grown(m_Reach).Shrunk(m_Reach);
+            for (int row = 0; row < wing.height; row++)
+            {
+                for (int column = 0; column < wing.width; column++)
+                    wing[column, row] = sure[column, row] || (wing[column, row] && m_Contrast[column, row] > m_Noise);
+            }
+
+            return wing;
         }
 
         /// <summary>Share of a mask's rim that lies on a clear edge, 0 to 1; the picture's own edge does not count.</summary>

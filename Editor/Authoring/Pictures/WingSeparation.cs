@@ -18,6 +18,9 @@ namespace Alate.Authoring
         /// </summary>
         private static readonly (double Share, double Gain)[] s_Gaps = { (0.004, 1.02), (0.012, 1.08), (0.03, 1.3) };
 
+        /// <summary>Largest half width of those gaps, as a share of the shorter side.</summary>
+        private const double k_WidestGap = 0.08;
+
         /// <summary>Share of the enclosed area that a line drawing covers at most.</summary>
         private const double k_Solid = 0.6;
 
@@ -118,7 +121,7 @@ namespace Alate.Authoring
 
         private static WingSeparation Of(WorkingPicture picture, EdgeContrast contrast)
         {
-            List<PixelPart> parts = Solid(contrast.excess).Parts();
+            List<PixelPart> parts = Solid(contrast).Parts();
             if (parts.Count == 0)
                 throw new FormatException("No wing was found: nothing in the picture stands out from its ground.");
             int length = parts[0].Extent;
@@ -161,16 +164,19 @@ namespace Alate.Authoring
                 : throw new FormatException("No wing was found: the picture has no plain ground around the wing.");
         }
 
-        private static PixelMask Solid(PixelPlane excess)
+        private static PixelMask Solid(EdgeContrast contrast)
         {
-            PixelMask mask = excess.Above(0f), filled = mask.Filled();
+            PixelMask mask = contrast.excess.Above(0f), filled = CutWing.Closed(mask).Filled();
             bool isThick = IsThick(filled);
-            if (mask.Count < k_Solid * filled.Count || !isThick)
+            if (isThick && mask.Count >= k_Solid * WithoutGap(mask, s_Gaps[s_Gaps.Length - 1].Share).Count)
+            {
+                filled = CutWing.Closed(contrast.WithoutSlits()).Filled();
+            }
+            else
             {
                 foreach ((double share, double gain) in s_Gaps)
                 {
-                    double radius = 1.0 + share * Math.Max(mask.width, mask.height);
-                    PixelMask closed = mask.Grown(radius).Filled().Shrunk(radius);
+                    PixelMask closed = WithoutGap(mask, share);
                     filled = closed.Count > gain * filled.Count ? closed : filled;
                 }
 
@@ -178,6 +184,12 @@ namespace Alate.Authoring
             }
 
             return isThick ? filled.Shrunk(k_Whisker).Grown(k_Whisker) : filled;
+        }
+
+        private static PixelMask WithoutGap(PixelMask mask, double share)
+        {
+            double radius = 1.0 + Math.Min(share * Math.Max(mask.width, mask.height), k_WidestGap * Math.Min(mask.width, mask.height));
+            return mask.Grown(radius).Filled().Shrunk(radius);
         }
 
         // Whether it is more than lines.

@@ -33,6 +33,11 @@ namespace Alate.Files
         /// <summary>True for the name of such a file.</summary>
         public static bool IsNamed(string file) => string.Equals(Path.GetExtension(file), ".obj", StringComparison.OrdinalIgnoreCase);
 
+        /// <summary>A place in the file's space as positions are counted, from <see cref="Origin"/>; null for none.</summary>
+        public Vector3? Placed(double[] place) => place is { Length: 3 }
+            ? new Vector3((float)(place[0] - Origin.X), (float)(place[1] - Origin.Y), (float)(place[2] - Origin.Z))
+            : (Vector3?)null;
+
         public SurfaceMesh ToSurface(string name) =>
             new SurfaceMesh { name = name, positions = Positions, normals = Normals, uvs = Uvs, triangles = Triangles };
     }

@@ -190,7 +190,8 @@ internal static class FiguresCommand
         try
         {
             string home = Path.Combine(folder, "mymoth");
-            string[] pictures = [Path.Combine(path, "images", "moth-fore.png"), Path.Combine(path, "images", "moth-hind.png")];
+            WingSource[] pictures =
+                [new(Path.Combine(path, "images", "moth-fore.png")), new(Path.Combine(path, "images", "moth-hind.png"))];
             var insect = new NewInsect("mymoth", InsectCatalogue.Find(InsectNewCommand.LikeOfTwo), 1600, 25);
             using (var made = OutputFolder.Prepare(home))
             {

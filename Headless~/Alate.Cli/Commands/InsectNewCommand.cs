@@ -38,6 +38,21 @@ internal static class InsectNewCommand
             AllowMultipleArgumentsPerToken = true,
             Arity = new ArgumentArity(1, 2),
         };
+        var hinges = new Option<string[]>("--hinge")
+        {
+            HelpName = "X,Y",
+            Description = "Where each wing turns, pixels from its picture's top left corner, or X,Y,Z in the space of its mesh; 'auto' for "
+                + "one that is to be found. [default: where veins meet, else guessed]",
+            AllowMultipleArgumentsPerToken = true,
+            Arity = new ArgumentArity(1, 2),
+        };
+        var sides = new Option<string[]>("--leading")
+        {
+            HelpName = "SIDE",
+            Description = $"The leading edge's side of each picture: {string.Join(", ", WingSource.Sides.Keys)} or auto. [default: up]",
+            AllowMultipleArgumentsPerToken = true,
+            Arity = new ArgumentArity(1, 2),
+        };
         var lengths = new Option<string[]>("--length")
         {
             HelpName = "LENGTH",
@@ -72,7 +87,7 @@ internal static class InsectNewCommand
         var name = new Option<string>("--name") { HelpName = "NAME", Description = "Name of the insect. [default: that of DIR]" };
         var command = new Command("new", "Makes an insect file, with meshes, skeletons and textures, from pictures or meshes of its wings.")
         {
-            folder, wings, lengths, mass, frequency, like, body, unit, name,
+            folder, wings, hinges, sides, lengths, mass, frequency, like, body, unit, name,
         };
         HelpExamples.Set(command, k_Examples);
         command.SetAction(parsed =>
@@ -104,13 +119,14 @@ internal static class InsectNewCommand
             {
                 BodyMesh = BodyOf(parsed.GetValue(body), parsed.GetValue(unit)),
             };
-            Make(insect, files, millimetres, isGiven, path, output);
+            WingSource[] sources = WingSource.Read(files, parsed.GetValue(hinges) ?? [], parsed.GetValue(sides) ?? []);
+            Make(insect, sources, millimetres, isGiven, path, output);
             return 0;
         });
         return command;
     }
 
-    private static void Make(NewInsect insect, string[] files, List<decimal> lengths, bool isGiven, string path, TextWriter output)
+    private static void Make(NewInsect insect, WingSource[] files, List<decimal> lengths, bool isGiven, string path, TextWriter output)
     {
         insect = WithWings(insect, files, lengths, isGiven);
         using var folder = OutputFolder.Prepare(path, [.. insect.Files]);
@@ -125,6 +141,8 @@ internal static class InsectNewCommand
 
         string file = Path.Combine(path, insect.File);
         output.WriteLine($"Wrote {insect.File} and its wings into {path}; the .svg files show what was found.");
+        if (files.Any(wing => wing.Hinge == null))
+            output.WriteLine("Where the circle in one of them is not at the base of the wing, --hinge says the place, a wing each.");
         output.WriteLine($"  fly {file}\n  species {file} --check");
     }
 
@@ -134,9 +152,9 @@ internal static class InsectNewCommand
     /// <param name="lengths">Lengths of them, millimetres.</param>
     /// <param name="isGiven">True where the last length is from hinge to tip, false where it is across the body.</param>
     /// <exception cref="UserException">A file shows no wing, or the numbers make no insect.</exception>
-    internal static NewInsect WithWings(NewInsect insect, string[] files, List<decimal> lengths, bool isGiven)
+    internal static NewInsect WithWings(NewInsect insect, WingSource[] files, List<decimal> lengths, bool isGiven)
     {
-        List<(FoundWing Wing, decimal Length)> wings = [.. files.Zip(lengths, (file, length) => (FoundWing.Of(file), length))];
+        List<(FoundWing Wing, decimal Length)> wings = [.. files.Zip(lengths, (file, length) => (file.Find(), length))];
         if (files.Length > 1)
         {
             double across = WingTurn.TurnLike(wings[1].Wing, insect.Like.Wings[1]);
@@ -178,6 +196,7 @@ internal static class InsectNewCommand
         "Examples:\n"
         + "  insect new mymoth --wing wing.png --length 50mm --mass 1.6g --frequency 25Hz\n"
         + "  insect new mymoth --wing fore.png hind.jpg --length 5cm 3.8cm --mass 1600mg --frequency 1500/min --like fishfly\n"
+        + "  insect new mymoth --wing fore.png hind.jpg --hinge auto 412,96 --length 5cm 3.8cm --mass 1.6g --frequency 25Hz\n"
         + "  insect new mywasp --wing fore.obj hind.obj --length 14mm --mass 90mg --frequency 110Hz --like dragonfly --body body.obj "
         + "--body-unit 1cm\n\n"
         + "Writes into DIR:\n"

@@ -41,8 +41,8 @@ internal static class SkeletonFitCommand
             settings.up = Vector(parsed.GetValue(up));
             string file = parsed.GetValue(mesh);
             ObjMesh wing = TextFile.Read(file, ObjReader.Read, InputFile.Mesh);
-            settings.hinge = Vector(parsed.GetValue(hinge), wing.Origin);
-            settings.bodyPoint = Vector(parsed.GetValue(body), wing.Origin);
+            settings.hinge = wing.Placed(parsed.GetValue(hinge));
+            settings.bodyPoint = wing.Placed(parsed.GetValue(body));
             settings.isOriginUnknown = wing.Origin != default;
             Run(file, wing, settings, parsed.GetValue(folder) ?? Path.Combine("out", Path.GetFileNameWithoutExtension(file)), output);
             return 0;
@@ -62,9 +62,8 @@ internal static class SkeletonFitCommand
         output.WriteLine($"Wrote {k_Skeleton} and {k_Picture} into {path}.");
     }
 
-    private static Vector3? Vector(double[] given, (double X, double Y, double Z) origin = default) => given is { Length: 3 }
-        ? new Vector3((float)(given[0] - origin.X), (float)(given[1] - origin.Y), (float)(given[2] - origin.Z))
-        : null;
+    private static Vector3? Vector(double[] given) =>
+        given is { Length: 3 } ? new Vector3((float)given[0], (float)given[1], (float)given[2]) : null;
 
     private const string k_Examples =
         "Examples:\n"

@@ -29,13 +29,8 @@ internal static class SkeletonFromImageCommand
         Option<double[]> hinge = Numbers.Pair(
             "--hinge", "X,Y", 0, WingPicture.MaxSide,
             "Where the wing turns, pixels from the picture's top left corner. [default: where veins meet, else guessed]");
-        Option<Vector2?> leading = Choice.Optional<Vector2>("--leading", "The leading edge's side of the picture. [default: up]", new()
-        {
-            ["up"] = new Vector2(0f, -1f),
-            ["down"] = new Vector2(0f, 1f),
-            ["left"] = new Vector2(-1f, 0f),
-            ["right"] = new Vector2(1f, 0f),
-        });
+        Option<Vector2?> leading = Choice.Optional(
+            "--leading", "The leading edge's side of the picture. [default: up]", WingSource.Sides);
         Option<double> length = Numbers.Option(
             "--length", "METRES", standard.length, 1e-6, 1e6,
             "Length of the wing from hinge to tip in the mesh, metres, 0.000001 to 1000000.");

@@ -97,8 +97,8 @@ internal sealed class PictureFile
             path, pixels == png.Pixels ? bytes : Png(width, height, pixels), new WingPicture(width, height, pixels));
     }
 
-    // Textures begin with their lowest row.
-    private static byte[] Png(int width, int height, Color32[] pixels)
+    /// <summary>PNG file of a picture, whose rows begin with the highest.</summary>
+    public static byte[] Png(int width, int height, Color32[] pixels)
     {
         var upwards = new Color32[pixels.Length];
         for (int row = 0; row < height; row++)

@@ -25,31 +25,34 @@ internal sealed record FittedWing : FoundWing
     public override bool IsTextured => m_Picture != null;
 
     /// <summary>Lays a skeleton into the mesh of a file.</summary>
+    /// <param name="file">OBJ or GLB.</param>
+    /// <param name="hinge">Where the wing turns, in the file's space; null to find it.</param>
     /// <exception cref="UserException">The file cannot be read, or no skeleton fits.</exception>
-    public static new FittedWing Of(string file)
+    public static FittedWing Of(string file, double[] hinge)
     {
         if (GlbMesh.IsNamed(file))
-            return OfGlb(file);
+            return OfGlb(file, hinge);
         ObjMesh mesh = TextFile.Read(file, ObjReader.Read, InputFile.Mesh);
         string picture = mesh.Uvs == null ? null : ObjMaterial.FindPicture(file, mesh.Library, InputFiles.Instance);
-        return Of(file, mesh, null, picture == null ? null : PictureFile.Read(picture));
+        return Of(file, mesh, null, picture == null ? null : PictureFile.Read(picture), hinge);
     }
 
     // As the OBJ file that is written of it.
-    private static FittedWing OfGlb(string file)
+    private static FittedWing OfGlb(string file, double[] hinge)
     {
         var glb = GlbMesh.Read(file);
         byte[] obj = glb.ToObj();
         ObjMesh mesh;
         using (var text = new StreamReader(new MemoryStream(obj)))
             mesh = ObjReader.Read(text);
-        return Of(file, mesh, obj, mesh.Uvs == null || glb.Picture == null ? null : PictureFile.Within(file, glb.Picture));
+        return Of(file, mesh, obj, mesh.Uvs == null || glb.Picture == null ? null : PictureFile.Within(file, glb.Picture), hinge);
     }
 
-    private static FittedWing Of(string file, ObjMesh mesh, byte[] obj, PictureFile picture)
+    private static FittedWing Of(string file, ObjMesh mesh, byte[] obj, PictureFile picture, double[] hinge)
     {
         SkeletonFitSettings settings = SkeletonFitSettings.Default;
         settings.isOriginUnknown = mesh.Origin != default;
+        settings.hinge = mesh.Placed(hinge);
         SurfaceMesh surface = mesh.ToSurface(file);
         return new FittedWing(file, mesh, obj, surface, Fit(surface, settings), picture);
     }

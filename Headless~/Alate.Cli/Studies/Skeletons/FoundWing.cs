@@ -1,5 +1,3 @@
-using Alate.Authoring;
-
 namespace Alate.Cli;
 
 /// <summary>A wing of the user's with a skeleton that was found for it: in a picture or in a mesh.</summary>
@@ -13,11 +11,6 @@ internal abstract record FoundWing(string File, SurfaceMesh Surface, WingSkeleto
 
     /// <summary>True where a picture lies on the wing.</summary>
     public abstract bool IsTextured { get; }
-
-    /// <summary>Finds the wing of a file: of a mesh where it ends in .obj or .glb, of a picture otherwise.</summary>
-    /// <exception cref="UserException">The file cannot be read, or shows no wing.</exception>
-    public static FoundWing Of(string file) =>
-        ObjMesh.IsNamed(file) || GlbMesh.IsNamed(file) ? FittedWing.Of(file) : TracedWing.Of(file, WingTracingSettings.Default);
 
     /// <summary>Writes skeleton, mesh, its picture, and a drawing of what was found.</summary>
     public abstract void Write(OutputFolder folder, TracedFiles files);

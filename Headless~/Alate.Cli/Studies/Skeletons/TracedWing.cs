@@ -46,7 +46,7 @@ internal sealed record TracedWing(PictureFile Picture, WingTrace Trace) : FoundW
         Text(files.Skeleton, SkeletonJson.Write(Trace.Skeleton));
         folder.Write(files.Mesh, stream => ObjWriter.Write(Trace.Surface, stream, files.Library, files.Name));
         Text(files.Library, ObjMaterial.Write(files.Name, files.Picture));
-        folder.Write(files.Picture, stream => stream.Write(Picture.Bytes));
+        folder.Write(files.Picture, stream => stream.Write(TracedTexture.Png(Picture, Trace.Outline)));
         Text(files.Overlay, TracePicture.Draw(Picture, Trace));
     }
 }
