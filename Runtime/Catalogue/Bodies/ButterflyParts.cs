@@ -13,10 +13,10 @@ namespace Alate.Catalogue
         private const float k_TongueTurns = 2.6f;
         private const int k_TongueRings = 44;
 
-        /// <summary>A round head with large eyes and two palps that stand before it.</summary>
-        public static void AddHead(BodyParts parts, Vector3 centre, float radius, BodyPaint face, BodyPaint eye)
+        /// <summary>A round head with large eyes and two palps that stand before it; returns the head alone.</summary>
+        public static BodyPatch AddHead(BodyParts parts, Vector3 centre, float radius, BodyPaint face, BodyPaint eye)
         {
-            parts.Add(Ellipsoid.Around(centre, radius * new Vector3(1f, 0.95f, 1f), 10, 16), face);
+            BodyPatch head = parts.Add(Ellipsoid.Around(centre, radius * new Vector3(1f, 0.95f, 1f), 10, 16), face);
             parts.AddPair(
                 Ellipsoid.Around(centre + radius * new Vector3(0.68f, 0.1f, 0.2f), radius * new Vector3(0.56f, 0.72f, 0.68f), 10, 14), eye);
             Vector3[] palp = new[]
@@ -25,6 +25,7 @@ namespace Alate.Catalogue
                 centre + radius * new Vector3(0.22f, -0.1f, 1.6f), centre + radius * new Vector3(0.18f, 0.35f, 1.72f),
             };
             parts.AddPair(Stalk.Along(palp, t => radius * (0.24f - 0.17f * t), 5, 8), face);
+            return head;
         }
 
         /// <summary>The tongue, rolled up below the palps.</summary>

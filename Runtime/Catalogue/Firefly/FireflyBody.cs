@@ -12,6 +12,9 @@ namespace Alate.Catalogue
     {
         private const float k_AbdomenRings = 7f, k_LanternStart = 5f, k_CaseLength = 8.6f;
 
+        /// <summary>Share of the rim's colour in the pale line down the middle of a wing case.</summary>
+        private const float k_Stripe = 0.45f;
+
         private static readonly Color32 s_Brown = new Color32(58, 45, 38, 255);
         private static readonly Color32 s_Case = new Color32(52, 42, 38, 255);
         private static readonly Color32 s_CaseInside = new Color32(112, 92, 76, 255);
@@ -73,14 +76,14 @@ namespace Alate.Catalogue
 
         private static void Build(BodyParts parts, HingeSeat seat)
         {
-            parts.Add(seat.Press(Trunk.Through(s_Thorax, 18, 20)), (in BodyPoint point) => s_Brown);
+            parts.Add(seat.Press(Trunk.Through(s_Thorax, 16, 18)), (in BodyPoint point) => s_Brown);
             parts.AddAbdomen(Trunk.Through(s_Abdomen, 36, 16, ButterflyParts.Rings(k_AbdomenRings, 0.08f)), Lit);
             parts.Add(
-                Ellipsoid.Around(new Vector3(0f, -0.15f, 2.6f), new Vector3(1.15f, 0.75f, 1.3f), 10, 16), (in BodyPoint point) => s_Brown);
+                Ellipsoid.Around(new Vector3(0f, -0.15f, 2.6f), new Vector3(1.15f, 0.75f, 1.3f), 8, 12), (in BodyPoint point) => s_Brown);
             parts.Add(
-                Ellipsoid.Around(new Vector3(0f, -0.35f, 3.7f), new Vector3(0.85f, 0.6f, 0.9f), 8, 14), (in BodyPoint point) => s_Brown);
+                Ellipsoid.Around(new Vector3(0f, -0.35f, 3.7f), new Vector3(0.85f, 0.6f, 0.9f), 7, 12), (in BodyPoint point) => s_Brown);
             parts.AddPair(
-                Ellipsoid.Around(new Vector3(0.62f, -0.45f, 3.9f), new Vector3(0.48f, 0.48f, 0.5f), 8, 12), (in BodyPoint point) => s_Eye);
+                Ellipsoid.Around(new Vector3(0.62f, -0.45f, 3.9f), new Vector3(0.48f, 0.48f, 0.5f), 7, 10), (in BodyPoint point) => s_Eye);
             parts.Add(Shield(), Spotted);
             parts.AddPair(Case(), Rimmed);
             parts.AddPair(Stalk.Along(s_Antenna, Beaded, 33, 6), (in BodyPoint point) => s_Brown);
@@ -92,7 +95,7 @@ namespace Alate.Catalogue
             Shell.Along(
                 new Vector3(0f, 0.55f, 1.85f), new Vector3(0f, -0.35f, 3.3f), new Vector3(0f, 1f, 0f),
                 t => 1.95f * (float)Math.Pow(1 - Math.Pow(t, 2.2), 0.5) * Math.Min(1f, 6f * (float)Math.Sqrt(t)), 0.28f, 0.16f,
-                0.2f, 14, 20);
+                0.2f, 19, 26);
 
         // Nearly as wide as long sides can be, rounded at the end.
         private static BodyPart Case() =>
@@ -122,15 +125,16 @@ namespace Alate.Catalogue
             float across = point.Place.x;
             float ahead = point.Place.z - 3.1f;
             float away = Mathf.Sqrt(across * across + 0.6f * ahead * ahead);
-            float spot = Tint.Below(away, 0.5f, 0.3f);
-            float rose = Tint.Below(away, 1.15f, 0.5f);
+            float spot = Tint.Below(Mathf.Abs(across), 0.36f, 0.28f) * Tint.Below(point.Place.z, 3.9f, 0.6f);
+            float rose = Tint.Below(away, 1.2f, 0.4f);
             return Tint.Mix(Tint.Mix(s_Rim, s_Rose, rose), s_Eye, spot);
         }
 
         private static Color32 Rimmed(in BodyPoint point)
         {
             float rim = Tint.Below(Mathf.Abs(point.Around - 0.5f), 0.1f, 0.1f);
-            Color32 face = point.Around < 0.5f ? s_Case : s_CaseInside;
+            float stripe = k_Stripe * Tint.Below(point.Around, 0.05f, 0.08f);
+            Color32 face = point.Around < 0.5f ? Tint.Mix(s_Case, s_Rim, stripe) : s_CaseInside;
             return Tint.Mix(face, s_Rim, Mathf.Max(rim, Tint.Below(0.965f, point.Along, 0.03f)));
         }
     }

@@ -8,10 +8,10 @@ namespace Alate.Catalogue
     /// </summary>
     internal static class MonarchBody
     {
-        private const float k_DotRadius = 0.42f, k_AbdomenRings = 8f;
+        private const float k_DotRadius = 0.4f, k_AbdomenRings = 8f;
 
         private static readonly Color32 s_Black = new Color32(36, 32, 32, 255);
-        private static readonly Color32 s_Fur = new Color32(52, 44, 42, 255);
+        private static readonly Color32 s_Fur = new Color32(84, 74, 66, 255);
         private static readonly Color32 s_Belly = new Color32(108, 92, 80, 255);
         private static readonly Color32 s_Eye = new Color32(58, 34, 24, 255);
         private static readonly Color32 s_Dot = new Color32(240, 234, 222, 255);
@@ -57,33 +57,37 @@ namespace Alate.Catalogue
             },
         };
 
-        private static readonly Vector3[] s_Dots =
+        private static readonly Vector3[] s_HeadDots =
         {
-            new Vector3(1.45f, 1.25f, 2.9f), new Vector3(1.75f, -0.6f, 2.5f), new Vector3(2f, -1f, 0.6f), new Vector3(1.85f, -1.1f, -1.5f),
-            new Vector3(1.5f, 1.6f, -1.7f), new Vector3(1f, -1.7f, 2.3f), new Vector3(0.75f, 1f, 4.7f), new Vector3(0.5f, 0.2f, 3.9f),
-            new Vector3(0.75f, -0.7f, 5.9f), new Vector3(1.25f, 0.6f, 3.9f),
+            new Vector3(0.55f, 1.25f, 4.7f), new Vector3(1f, 0.75f, 4.5f), new Vector3(0.35f, 1.1f, 5.8f), new Vector3(0.9f, -0.85f, 5.5f),
+            new Vector3(0.4f, -0.3f, 6.4f), new Vector3(0.8f, -0.6f, 4.4f),
+        };
+
+        // In rows down the side, below the wing's root, and a pair on the collar.
+        private static readonly Vector3[] s_ThoraxDots =
+        {
+            new Vector3(0.85f, 1.5f, 2.9f), new Vector3(1.6f, 0.9f, 2.7f), new Vector3(1.5f, 0.1f, 3.2f), new Vector3(1.3f, -0.8f, 3f),
+            new Vector3(1.9f, -0.2f, 2f), new Vector3(1.6f, -1.1f, 2f), new Vector3(1.95f, -0.9f, 1f), new Vector3(1.2f, -1.9f, 1.1f),
+            new Vector3(2f, -0.5f, 0.1f), new Vector3(1.6f, -1.7f, -0.1f), new Vector3(2f, -0.7f, -1f), new Vector3(1.3f, -1.9f, -1.3f),
+            new Vector3(1.85f, -0.1f, -2f), new Vector3(1.6f, -1.1f, -2.1f), new Vector3(1.5f, 0.5f, -2.9f),
+            new Vector3(1.3f, -1.1f, -3.1f),
         };
 
         public static InsectBody Create(WingDefinition wing) => new InsectBody(parts => Build(parts, wing.CreateSeat()));
 
         private static void Build(BodyParts parts, HingeSeat seat)
         {
-            BodyPatch thorax = parts.Add(seat.Press(Trunk.Through(s_Thorax, 22, 24)), Dotted);
-            var fur = new Fur { Count = 110, Length = 0.7f, Radius = 0.09f, Seed = 11, Where = place => place.y > 1.2f || place.y < -1.4f };
+            BodyPatch thorax = parts.Add(seat.Press(Trunk.Through(s_Thorax, 20, 22)), (in BodyPoint point) => s_Black);
+            var fur = new Fur { Count = 64, Length = 0.7f, Radius = 0.09f, Seed = 11, Where = place => place.y > 1.2f || place.y < -1.4f };
             parts.AddFur(thorax, fur.GrowOn(thorax.part), (in BodyPoint point) => Tint.Mix(s_Black, s_Fur, Ink.Speckle(point.Place)));
             parts.AddAbdomen(Trunk.Through(s_Abdomen, 44, 16, ButterflyParts.Rings(k_AbdomenRings, 0.07f)), Segmented);
-            ButterflyParts.AddHead(parts, new Vector3(0f, 0.15f, 5.1f), 1.35f, Dotted, (in BodyPoint point) => s_Eye);
+            BodyPatch head = ButterflyParts.AddHead(
+                parts, new Vector3(0f, 0.15f, 5.1f), 1.35f, (in BodyPoint point) => s_Black, (in BodyPoint point) => s_Eye);
+            parts.AddPair(Tufts.On(thorax.part, s_ThoraxDots, k_DotRadius), (in BodyPoint point) => s_Dot);
+            parts.AddPair(Tufts.On(head.part, s_HeadDots, 0.6f * k_DotRadius), (in BodyPoint point) => s_Dot);
             ButterflyParts.AddTongue(parts, new Vector3(0f, -0.85f, 6.9f), 0.62f, s_Black);
-            ButterflyParts.AddAntennae(parts, s_Antenna, 0.13f, 0.36f, (in BodyPoint point) => s_Black);
+            ButterflyParts.AddAntennae(parts, s_Antenna, 0.11f, 0.27f, (in BodyPoint point) => s_Black);
             ButterflyParts.AddLegs(parts, s_Legs, 0.24f, (in BodyPoint point) => s_Black);
-        }
-
-        private static Color32 Dotted(in BodyPoint point)
-        {
-            float share = 0f;
-            foreach (Vector3 dot in s_Dots)
-                share = Mathf.Max(share, Tint.Spot(point.Place, dot, k_DotRadius, 0.3f));
-            return Tint.Mix(s_Black, s_Dot, share);
         }
 
         private static Color32 Segmented(in BodyPoint point)

@@ -113,6 +113,36 @@ namespace Alate.Tests
             Assert.That(ahead / 3000, Is.EqualTo(0.25).Within(0.03));
         }
 
+        // The top stands over the vertex that is nearest, the rim lies below the skin, all on one disc of the texture.
+        [Test]
+        public void Tufts_StandOnTheSkin_Closed_AndLitAsIt()
+        {
+            BodyPart skin = Ellipsoid.Around(default, new Vector3(4f, 4f, 4f), 12, 16);
+            Vector3[] places = { skin.Positions[40], 1.3f * skin.Positions[70] };
+            BodyPart tufts = Tufts.On(skin, places, 0.5f);
+
+            var mesh = new SurfaceMesh { positions = tufts.Positions, normals = tufts.Normals, triangles = tufts.Triangles };
+            List<List<int>> pieces = BodyPieces.Of(mesh);
+            // Two pyramids over a hexagon of that radius: its area, 3/2 √3 r², times a third of both heights.
+            double volume = 1.5 * Math.Sqrt(3) * 0.25 * (0.24 + 0.4) * 0.5 / 3;
+            Assert.That(pieces.Select(piece => BodyPieces.Volume(mesh, piece)), Is.EqualTo(new[] { volume, volume }).Within(1e-4));
+            for (int k = 0; k < 2; k++)
+            {
+                int at = k == 0 ? 40 : 70;
+                Vector3 up = skin.Normals[at];
+                Assert.That((tufts.Positions[8 * k] - skin.Positions[at] - 0.12f * up).magnitude, Is.LessThan(1e-5f));
+                for (int corner = 0; corner < 7; corner++)
+                {
+                    Assert.That(Vector3.Dot(tufts.Normals[8 * k + corner], up), Is.GreaterThan(corner == 0 ? 0.99f : 0.2f));
+                    if (corner > 0)
+                        Assert.That(tufts.Positions[8 * k + corner].magnitude, Is.LessThan(4f));
+                }
+            }
+
+            Assert.That(tufts.Uvs, Is.All.Matches<Vector2>(uv => (uv - new Vector2(0.5f, 0.5f)).magnitude < 0.501f));
+            Assert.That(tufts.Extent, Is.EqualTo(new Vector2(1f, 1f)));
+        }
+
         [Test]
         public void NoHair_GrowsWhereThereIsNoPlace()
         {
