@@ -24,5 +24,13 @@ namespace Alate.Files
         /// <param name="path">A PNG or JPEG file.</param>
         /// <exception cref="UserException">There is no such file, or it is no such picture.</exception>
         public abstract byte[] ReadPicture(string path);
+
+        /// <summary>
+        /// Makes what follows from files alone, such as the shape of a wing. A source for insects that differ in numbers alone keeps it, so
+        /// that nobody may change it.
+        /// </summary>
+        /// <param name="name">Name of what is made, with the files that it follows from.</param>
+        /// <param name="make">Makes it.</param>
+        public virtual T Make<T>(string name, Func<T> make) => make();
     }
 }

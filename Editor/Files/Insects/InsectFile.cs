@@ -118,16 +118,13 @@ namespace Alate.Files
                 throw said.Wrong("'mesh' and 'skeleton' need one another; 'skeleton fit' makes the skeleton of a mesh");
             if (texture != null && mesh == null)
                 throw texture.Wrong("a texture needs a mesh");
-            WingFiles files = mesh == null ? null : WingFiles.Read(
-                Beside(mesh), Beside(skeleton), texture == null ? null : Beside(texture), m_Files);
-            double length = files == null ? model.Length * Growth(said, model) : Length(said, model);
-            MeshedWing shape = files?.ToShape(Beside(mesh));
-            if (files != null)
-                Object.DestroyImmediate(files.Skeleton);
+            double length = mesh == null ? model.Length * Growth(said, model) : Length(said, model);
+            (MeshedWing shape, byte[] picture) = mesh == null ? default : m_Files.Make(
+                $"wing of {mesh.Text}, {skeleton.Text}, {texture?.Text}", () => ShapeOf(mesh, skeleton, texture));
             var wing = new WingDefinition(name, model, length, shape)
             {
                 Hinge = said?[InsectKeys.Hinge] is { } hinge ? FilePlace.Read(hinge) : model.Hinge * size,
-                Picture = files?.Picture,
+                Picture = picture,
             };
             if (size != 1f)
                 wing.Change(InsectVariant.Standard, preset => preset.Rest.feet *= size);
@@ -219,6 +216,14 @@ namespace Alate.Files
         private static float[] Values(JsonPlace lists, int chain) =>
             lists?.Items[chain].Items.Select(value => FileNumber.ToPreset(value.Text, 1m)).ToArray();
 
+        private (MeshedWing Shape, byte[] Picture) ShapeOf(JsonPlace mesh, JsonPlace skeleton, JsonPlace texture)
+        {
+            var files = WingFiles.Read(Beside(mesh), Beside(skeleton), texture == null ? null : Beside(texture), m_Files);
+            MeshedWing shape = files.ToShape(Beside(mesh));
+            Object.DestroyImmediate(files.Skeleton);
+            return (shape, files.Picture);
+        }
+
         private InsectBody BodyOf(JsonPlace body, float size)
         {
             if (body?[InsectKeys.Mesh] is not { } mesh)
@@ -228,7 +233,7 @@ namespace Alate.Files
                     : m_Like.Body.Scaled(size);
             }
 
-            ObjMesh read = m_Files.ReadMesh(Beside(mesh), ObjReader.Read);
+            ObjMesh read = m_Files.Make($"body of {mesh.Text}", () => m_Files.ReadMesh(Beside(mesh), ObjReader.Read));
             float unit = body[InsectKeys.MeshUnit] is { } said ? FileNumber.ToPreset(said.Text, 1m) : 1f;
             var origin = new Vector3((float)read.Origin.X, (float)read.Origin.Y, (float)read.Origin.Z);
             SurfaceMesh surface = read.ToSurface(m_Path);

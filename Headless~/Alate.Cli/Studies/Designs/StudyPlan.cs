@@ -7,6 +7,7 @@ namespace Alate.Cli;
 internal sealed class StudyPlan
 {
     private readonly string m_InsectText;
+    private readonly KeptFiles m_Files = new(InputFiles.Instance);
 
     /// <summary>Completes what a file says.</summary>
     /// <param name="file">What it says.</param>
@@ -112,7 +113,7 @@ internal sealed class StudyPlan
         try
         {
             return InsectFile.Read(
-                JsonPlace.Read(new StringReader(insect.ToJsonString())), Flight.Definition.FilePath ?? File.Path, InputFiles.Instance);
+                JsonPlace.Read(new StringReader(insect.ToJsonString())), Flight.Definition.FilePath ?? File.Path, m_Files);
         }
         catch (FormatException problem)
         {
