@@ -16,7 +16,7 @@ namespace Alate.Authoring
         private const double k_ClearRim = 0.9;
 
         /// <summary>Share below which the outline is no wing's: most of it follows nothing in the picture.</summary>
-        private const double k_LeastClearRim = 0.35;
+        private const double k_LeastClearRim = 0.2;
 
         /// <summary>Traces a picture.</summary>
         /// <param name="picture">A silhouette, a line drawing or a photo of one wing on plain or transparent ground.</param>

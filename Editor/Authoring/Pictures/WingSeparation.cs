@@ -24,6 +24,12 @@ namespace Alate.Authoring
         /// <summary>Share of the enclosed area that a line drawing covers at most.</summary>
         private const double k_Solid = 0.6;
 
+        /// <summary>Least share of a rim on clear edges, where a gap beside dark cells was closed.</summary>
+        private const double k_ClearMargin = 0.8;
+
+        /// <summary>Largest loss of clear rim by which slits are closed: what lies beyond a slit may be no wing.</summary>
+        private const double k_LessClear = 0.05;
+
         /// <summary>Half width of whiskers that are cut off, pixels.</summary>
         private const double k_Whisker = 1.0;
 
@@ -167,17 +173,21 @@ namespace Alate.Authoring
         private static PixelMask Solid(EdgeContrast contrast)
         {
             PixelMask mask = contrast.excess.Above(0f), filled = CutWing.Closed(mask).Filled();
-            bool isThick = IsThick(filled);
-            if (isThick && mask.Count >= k_Solid * WithoutGap(mask, s_Gaps[s_Gaps.Length - 1].Share).Count)
+            bool isThick = IsThick(filled), isDrawn = !isThick || mask.Count < k_Solid * filled.Count;
+            if (!isDrawn && mask.Count >= k_Solid * WithoutGap(mask, s_Gaps[s_Gaps.Length - 1].Share).Count)
             {
-                filled = CutWing.Closed(contrast.WithoutSlits()).Filled();
+                PixelMask whole = CutWing.Closed(contrast.WithoutSlits()).Filled();
+                filled = contrast.ClearShareOfRim(whole) > contrast.ClearShareOfRim(filled) - k_LessClear ? whole : filled;
             }
             else
             {
                 foreach ((double share, double gain) in s_Gaps)
                 {
                     PixelMask closed = WithoutGap(mask, share);
-                    filled = closed.Count > gain * filled.Count ? closed : filled;
+
+                    // Where part of a wing is dark, its other margins are lines, which are clear too.
+                    bool isMargin = isDrawn || contrast.ClearShareOfRim(closed) > k_ClearMargin;
+                    filled = closed.Count > gain * filled.Count && isMargin ? closed : filled;
                 }
 
                 isThick = IsThick(filled);
