@@ -67,9 +67,7 @@ namespace Alate.Authoring
             if (wing.MiddleOfCut != null)
                 warnings.Add("The wing touches the picture's edge; what lies beyond it is missing.");
             if (clear < k_ClearRim)
-            {
                 warnings.Add($"The wing's edge is faint on {Faint(clear)} % of the outline, which may be wrong there.");
-            }
             return warnings;
         }
 

@@ -41,9 +41,9 @@ namespace Alate.Authoring
         /// Pixels of the wing: of positive <see cref="excess"/>, and what stands out at all in slits between its largest part and other
         /// broad ones. Beside a dark vein, a pale membrane has less than half of the contrast nearby, as a rim has.
         /// </summary>
-        public PixelMask WithoutSlits()
+        /// <param name="sure">Those of positive excess.</param>
+        public PixelMask WithoutSlits(PixelMask sure)
         {
-            PixelMask sure = excess.Above(0f);
             List<PixelPart> parts = sure.Parts();
             if (parts.Count == 0)
                 return sure;

@@ -176,7 +176,7 @@ namespace Alate.Authoring
             bool isThick = IsThick(filled), isDrawn = !isThick || mask.Count < k_Solid * filled.Count;
             if (!isDrawn && mask.Count >= k_Solid * WithoutGap(mask, s_Gaps[s_Gaps.Length - 1].Share).Count)
             {
-                PixelMask whole = CutWing.Closed(contrast.WithoutSlits()).Filled();
+                PixelMask whole = CutWing.Closed(contrast.WithoutSlits(mask)).Filled();
                 filled = contrast.ClearShareOfRim(whole) > contrast.ClearShareOfRim(filled) - k_LessClear ? whole : filled;
             }
             else

@@ -29,8 +29,8 @@ namespace Alate.Files
         /// Makes what follows from files alone, such as the shape of a wing. A source for insects that differ in numbers alone keeps it, so
         /// that nobody may change it.
         /// </summary>
-        /// <param name="name">Name of what is made, with the files that it follows from.</param>
+        /// <param name="key">What is made and the files that it follows from, equal where they are the same.</param>
         /// <param name="make">Makes it.</param>
-        public virtual T Make<T>(string name, Func<T> make) => make();
+        public virtual T Make<T>(object key, Func<T> make) => make();
     }
 }

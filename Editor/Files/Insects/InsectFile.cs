@@ -120,7 +120,7 @@ namespace Alate.Files
                 throw texture.Wrong("a texture needs a mesh");
             double length = mesh == null ? model.Length * Growth(said, model) : Length(said, model);
             (MeshedWing shape, byte[] picture) = mesh == null ? default : m_Files.Make(
-                $"wing of {mesh.Text}, {skeleton.Text}, {texture?.Text}", () => ShapeOf(mesh, skeleton, texture));
+                ("wing", mesh.Text, skeleton.Text, texture?.Text), () => ShapeOf(mesh, skeleton, texture));
             var wing = new WingDefinition(name, model, length, shape)
             {
                 Hinge = said?[InsectKeys.Hinge] is { } hinge ? FilePlace.Read(hinge) : model.Hinge * size,
@@ -233,7 +233,7 @@ namespace Alate.Files
                     : m_Like.Body.Scaled(size);
             }
 
-            ObjMesh read = m_Files.Make($"body of {mesh.Text}", () => m_Files.ReadMesh(Beside(mesh), ObjReader.Read));
+            ObjMesh read = m_Files.Make(("body", mesh.Text), () => m_Files.ReadMesh(Beside(mesh), ObjReader.Read));
             float unit = body[InsectKeys.MeshUnit] is { } said ? FileNumber.ToPreset(said.Text, 1m) : 1f;
             var origin = new Vector3((float)read.Origin.X, (float)read.Origin.Y, (float)read.Origin.Z);
             SurfaceMesh surface = read.ToSurface(m_Path);

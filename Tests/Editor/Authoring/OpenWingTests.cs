@@ -51,6 +51,38 @@ namespace Alate.Editor.Tests
             Assert.That(PlanPaths.Hausdorff(outline, PlanPaths.ToPlan(place.Outline)), Is.LessThan(0.03 * place.Length));
         }
 
+        // Shadows are no membranes beside a vein: narrower.
+        [Test]
+        public void PatchesOfShadowBesideTheWing_StayOutside()
+        {
+            WingPlace place = DrawnWing.Monarch().In(400);
+            var grey = new Color32(225, 225, 225, 255);
+            DrawnPicture picture = new DrawnPicture(400, 400, s_White).Fill(place.Outline, s_Black);
+            Vector2 low = Lowest(place.Outline) + new Vector2(0f, 4f);
+            for (int k = -3; k <= 3; k++)
+                picture.Stroke(new[] { low + new Vector2(9f * k, 0f), low + new Vector2(9f * k + 4f, 0f) }, 3f, grey);
+
+            Assert.That(PlanPaths.Hausdorff(Outline(picture.ToPicture()), PlanPaths.ToPlan(place.Outline)), Is.LessThan(3.0), "pixels");
+        }
+
+        [TestCase(5, 20, false, ExpectedResult = true)]
+        [TestCase(0, 27, false, ExpectedResult = false)]
+        [TestCase(5, 20, true, ExpectedResult = false)]
+        public bool ACut_IsClosed_UpToNineTenthsOfASide_ButNotOfAFrame(int from, int to, bool isFrame)
+        {
+            var mask = new PixelMask(40, 30);
+            for (int column = 0; column < 20; column++)
+                mask[column, from] = mask[column, to] = true;
+            for (int row = from; row <= to; row++)
+                mask[19, row] = true;
+            for (int k = 0; isFrame && k < 30; k++)
+                mask[19, k] = true;
+
+            PixelMask closed = CutWing.Closed(mask);
+            Assert.That(mask[0, (from + to) / 2], Is.False, "the mask that was given stays");
+            return closed[0, (from + to) / 2];
+        }
+
         [Test]
         public void CellsThatRunOutOfThePicture_BelongToTheWing([Values(0, 90, 180, 270)] int degrees)
         {

@@ -4,7 +4,7 @@ namespace Alate.Cli;
 /// <param name="files">Reads them.</param>
 internal sealed class KeptFiles(FileSource files) : FileSource
 {
-    private readonly Dictionary<string, object> m_Made = [];
+    private readonly Dictionary<object, object> m_Made = [];
 
     public override bool Contains(string path) => files.Contains(path);
 
@@ -14,10 +14,10 @@ internal sealed class KeptFiles(FileSource files) : FileSource
 
     public override byte[] ReadPicture(string path) => files.ReadPicture(path);
 
-    public override T Make<T>(string name, Func<T> make)
+    public override T Make<T>(object key, Func<T> make)
     {
-        if (!m_Made.TryGetValue(name, out object made))
-            m_Made[name] = made = make();
+        if (!m_Made.TryGetValue(key, out object made))
+            m_Made[key] = made = make();
         return (T)made;
     }
 }

@@ -67,8 +67,7 @@ internal sealed class SceneOptions
     private static double[] Look(ArgumentResult result)
     {
         string text = result.Tokens[0].Value;
-        double[] numbers = [.. text.Split(',').Select(part =>
-            double.TryParse(part, NumberStyles.Float, CultureInfo.InvariantCulture, out double number) ? number : double.NaN)];
+        double[] numbers = NumberText.WithCommas(text);
         if (numbers is [double yaw, double pitch, double distance, .. double[] target] && Math.Abs(yaw) <= k_MostDegrees
             && Math.Abs(pitch) <= 89.0 && distance is >= 0.05 and <= k_MostDistance && (target.Length is 0 or 3)
             && target.All(one => Math.Abs(one) <= k_MostDistance))

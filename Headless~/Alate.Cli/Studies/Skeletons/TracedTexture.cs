@@ -1,4 +1,5 @@
 using Alate.Authoring;
+using Alate.Geometry;
 using UnityEngine;
 
 namespace Alate.Cli;
@@ -13,32 +14,29 @@ internal sealed class TracedTexture
     private const int k_Opaque = 128;
 
     /// <summary>Width of the rim that may be mixed with ground, as a share of the wing's extent, and the least, pixels.</summary>
-    private const float k_RimShare = 0.006f, k_LeastRim = 2f;
+    private const double k_RimShare = 0.006, k_LeastRim = 2.0;
 
     /// <summary>
     /// Contrast to the ground over that of the nearest pixel within the rim, below which one of the rim is mixed with ground.
     /// </summary>
     private const float k_Mixed = 0.8f;
 
-    private readonly WingPicture m_Picture;
+    private readonly int m_Width;
+    private readonly int m_Height;
     private readonly Color32[] m_Pixels;
-    private readonly bool[] m_IsWing;
-    private readonly bool[] m_IsInside;
+
+    // [pixel] The one within the rim whose colour it has or is compared with; -1 while there is none.
     private readonly int[] m_Within;
     private Vector3 m_Ground;
 
     private TracedTexture(WingPicture picture)
     {
-        m_Picture = picture;
-        m_Pixels = new Color32[picture.Width * picture.Height];
-        m_IsWing = new bool[m_Pixels.Length];
-        m_IsInside = new bool[m_Pixels.Length];
+        m_Width = picture.Width;
+        m_Height = picture.Height;
+        m_Pixels = new Color32[m_Width * m_Height];
         m_Within = new int[m_Pixels.Length];
         for (int k = 0; k < m_Pixels.Length; k++)
-        {
-            m_Pixels[k] = picture[k % picture.Width, k / picture.Width];
-            m_Within[k] = k;
-        }
+            m_Pixels[k] = picture[k % m_Width, k / m_Width];
     }
 
     /// <summary>PNG file of the texture: the picture's own where its ground is transparent.</summary>
@@ -49,21 +47,15 @@ internal sealed class TracedTexture
         var texture = new TracedTexture(picture.Picture);
         if (!texture.FindOpaqueGround())
             return picture.Bytes;
-        texture.Fill(outline);
-        texture.m_IsWing.CopyTo(texture.m_IsInside, 0);
-        float width = outline.Max(point => point.x) - outline.Min(point => point.x);
-        float height = outline.Max(point => point.y) - outline.Min(point => point.y);
-        texture.Spread(isWing: false, (int)Math.Max(k_LeastRim, k_RimShare * Math.Max(width, height)));
-        texture.Spread(isWing: true, int.MaxValue);
-        return PictureFile.Png(picture.Picture.Width, picture.Picture.Height, texture.m_Pixels);
+        texture.Spread(new PolygonGrid(Array.ConvertAll(outline, point => new PlanPoint(point.x, point.y))));
+        return PictureFile.Png(texture.m_Width, texture.m_Height, texture.m_Pixels);
     }
 
     // The median of the border's opaque pixels; false where most of them are transparent.
     private bool FindOpaqueGround()
     {
-        int width = m_Picture.Width, height = m_Picture.Height;
         var border = new List<Color32>();
-        for (int k = 0; k < m_Pixels.Length; k += k / width is 0 || k / width == height - 1 || k % width == width - 1 ? 1 : width - 1)
+        for (int k = 0; k < m_Pixels.Length; k += IsNextOfBorder(k) ? 1 : m_Width - 1)
             border.Add(m_Pixels[k]);
         List<Color32> opaque = border.FindAll(pixel => pixel.a >= k_Opaque);
         if (2 * opaque.Count <= border.Count)
@@ -73,72 +65,69 @@ internal sealed class TracedTexture
         return true;
     }
 
-    private float Contrast(Color32 pixel) => (new Vector3(pixel.r, pixel.g, pixel.b) - m_Ground).magnitude;
+    private bool IsNextOfBorder(int pixel) =>
+        pixel / m_Width == 0 || pixel / m_Width == m_Height - 1 || pixel % m_Width == m_Width - 1;
 
-    // By rows: between the first and the second crossing, the third and the fourth, and so on.
-    private void Fill(Vector2[] outline)
+    private float Contrast(int pixel) => (new Vector3(m_Pixels[pixel].r, m_Pixels[pixel].g, m_Pixels[pixel].b) - m_Ground).magnitude;
+
+    private PixelMask Inside(PolygonGrid outline)
     {
-        var crossings = new List<float>();
-        for (int row = 0; row < m_Picture.Height; row++)
+        var inside = new PixelMask(m_Width, m_Height);
+        var crossings = new List<double>();
+        for (int row = 0; row < m_Height; row++)
         {
-            float y = row + 0.5f;
-            crossings.Clear();
-            for (int k = 0, before = outline.Length - 1; k < outline.Length; before = k++)
-            {
-                Vector2 a = outline[before], b = outline[k];
-                if (a.y <= y != b.y <= y)
-                    crossings.Add(a.x + (y - a.y) / (b.y - a.y) * (b.x - a.x));
-            }
-
-            crossings.Sort();
+            outline.FindCrossings(row + 0.5, crossings);
             for (int k = 0; k + 1 < crossings.Count; k += 2)
             {
-                int from = Math.Max(0, (int)MathF.Ceiling(crossings[k] - 0.5f));
-                int to = Math.Min(m_Picture.Width - 1, (int)MathF.Floor(crossings[k + 1] - 0.5f));
-                if (to >= from)
-                    Array.Fill(m_IsWing, true, row * m_Picture.Width + from, to - from + 1);
+                int last = Math.Min(m_Width - 1, (int)Math.Floor(crossings[k + 1] - 0.5));
+                for (int column = Math.Max(0, (int)Math.Ceiling(crossings[k] - 0.5)); column <= last; column++)
+                    inside[column, row] = true;
             }
         }
+
+        return inside;
     }
 
-    // Lets wing or ground grow by so many pixels; wing takes its colours with it.
-    private void Spread(bool isWing, int far)
+    // Ring by ring from within the rim outwards, to all of the picture.
+    private void Spread(PolygonGrid outline)
     {
-        int width = m_Picture.Width;
-        var edge = new List<int>();
-        for (int k = 0; k < m_IsWing.Length; k++)
+        PixelMask inside = Inside(outline), within = inside.Shrunk(Math.Max(k_LeastRim, k_RimShare * outline.bounds.Extent));
+        var ring = new List<int>();
+        for (int k = 0; k < m_Pixels.Length; k++)
         {
-            if (m_IsWing[k] == isWing)
-                edge.Add(k);
+            bool isWithin = within[k % m_Width, k / m_Width];
+            m_Within[k] = isWithin ? k : -1;
+            if (isWithin)
+                ring.Add(k);
         }
 
-        for (int step = 0; step < far && edge.Count > 0; step++)
+        while (ring.Count > 0)
         {
             var next = new List<int>();
-            foreach (int k in edge)
+            foreach (int k in ring)
             {
-                Reach(k, k - 1, k % width > 0, isWing, next);
-                Reach(k, k + 1, k % width < width - 1, isWing, next);
-                Reach(k, k - width, k >= width, isWing, next);
-                Reach(k, k + width, k < m_IsWing.Length - width, isWing, next);
+                int column = k % m_Width;
+                if (column > 0)
+                    Reach(k, k - 1, inside, next);
+                if (column < m_Width - 1)
+                    Reach(k, k + 1, inside, next);
+                if (k >= m_Width)
+                    Reach(k, k - m_Width, inside, next);
+                if (k < m_Pixels.Length - m_Width)
+                    Reach(k, k + m_Width, inside, next);
             }
 
-            edge = next;
+            ring = next;
         }
     }
 
-    private void Reach(int from, int to, bool isThere, bool isWing, List<int> next)
+    private void Reach(int from, int to, PixelMask inside, List<int> next)
     {
-        if (!isThere || m_IsWing[to] == isWing)
+        if (m_Within[to] >= 0)
             return;
-        m_IsWing[to] = isWing;
-        if (isWing)
-        {
-            m_Within[to] = m_Within[from];
-            if (!m_IsInside[to] || Contrast(m_Pixels[to]) < k_Mixed * Contrast(m_Pixels[m_Within[to]]))
-                m_Pixels[to] = m_Pixels[from];
-        }
-
+        m_Within[to] = m_Within[from];
+        if (!inside[to % m_Width, to / m_Width] || Contrast(to) < k_Mixed * Contrast(m_Within[to]))
+            m_Pixels[to] = m_Pixels[from];
         next.Add(to);
     }
 }

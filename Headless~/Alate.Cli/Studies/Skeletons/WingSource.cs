@@ -62,8 +62,7 @@ internal sealed record WingSource(string File, double[] Hinge = null, Vector2? L
     private static double[] PlaceOf(string text, WingSource of)
     {
         int count = of.IsMesh ? 3 : 2;
-        double[] numbers = [.. text.Split(',').Select(part =>
-            double.TryParse(part, NumberStyles.Float, CultureInfo.InvariantCulture, out double number) ? number : double.NaN)];
+        double[] numbers = NumberText.WithCommas(text);
         return numbers.Length == count && numbers.All(double.IsFinite) ? numbers : throw new UserException(of.IsMesh
             ? $"--hinge of {of.File} takes X,Y,Z in the space of the mesh or '{k_Auto}', not {Quote.Of(text)}."
             : $"--hinge of {of.File} takes X,Y, pixels from the picture's top left corner, or '{k_Auto}', not {Quote.Of(text)}.");
