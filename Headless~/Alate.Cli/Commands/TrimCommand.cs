@@ -33,9 +33,13 @@ internal static class TrimCommand
         {
             Description = "The wings of each trim meet air at rest, not that of its own wake.",
         };
+        var wideCores = new Option<bool>("--wide-cores")
+        {
+            Description = "A wake that is another one in each beat has vortex cores as wide as a chord, not the air of a trim beside it.",
+        };
         var folder = new Option<string>("--out") { HelpName = "DIR", Description = "Where the files go. [default: out/trim]" };
         var command = new Command("trim", "Finds the beat and the attitude that carry an insect at speeds and climbs.") { species, speeds,
-            climbs, bake, stillAir, folder };
+            climbs, bake, stillAir, wideCores, folder };
         HelpExamples.Set(command, k_Examples);
         command.SetAction(parsed =>
         {
@@ -44,10 +48,11 @@ internal static class TrimCommand
             List<float> ahead = List(parsed.GetValue(speeds), TrimBake.DefaultSpeeds),
                 up = List(parsed.GetValue(climbs), TrimBake.DefaultClimbs);
             using FlightModel model = CatalogueFlight.CreateModel(insect);
+            TrimWake wake = WakeOf(parsed.GetValue(stillAir), parsed.GetValue(wideCores));
             if (parsed.GetValue(bake))
-                Bake(insect, KnownSpecies.IsFile(named) ? named : null, model, ahead, up, parsed.GetValue(stillAir), output);
+                Bake(insect, KnownSpecies.IsFile(named) ? named : null, model, ahead, up, wake, output);
             else
-                Survey(insect, model, ahead, up, parsed.GetValue(stillAir), parsed.GetValue(folder) ?? Path.Combine("out", "trim"), output);
+                Survey(insect, model, ahead, up, wake, parsed.GetValue(folder) ?? Path.Combine("out", "trim"), output);
             return 0;
         });
         return command;
@@ -55,10 +60,10 @@ internal static class TrimCommand
 
     // Into the package's sources, or beside the file of an insect.
     private static void Bake(
-        InsectDefinition insect, string file, FlightModel model, List<float> speeds, List<float> climbs, bool stillAir,
+        InsectDefinition insect, string file, FlightModel model, List<float> speeds, List<float> climbs, TrimWake wake,
         TextWriter output)
     {
-        var bake = new TrimBake(model) { Log = output.WriteLine, Wake = WakeOf(stillAir) };
+        var bake = new TrimBake(model) { Log = output.WriteLine, Wake = wake };
         using TrimTable table = bake.Bake(speeds, climbs)
             ?? throw new UserException($"The {insect.DisplayName} does not fly: {bake.Problem}");
         if (file != null)
@@ -71,17 +76,17 @@ internal static class TrimCommand
 
         string source = TrimSource.Write(insect, TrimTableText.Write(table, model.Key),
             Asked("--speeds", speeds, TrimBake.DefaultSpeeds) + Asked("--climbs", climbs, TrimBake.DefaultClimbs)
-                + (stillAir ? " --still-air" : ""));
+                + (wake == null ? " --still-air" : wake.HasWideCores ? " --wide-cores" : ""));
         OutputFile.Write(TrimSource.PathOf(insect), stream => stream.Write(Encoding.UTF8.GetBytes(source)));
         output.WriteLine(TrimSource.PathOf(insect));
     }
 
     private static void Survey(
-        InsectDefinition insect, FlightModel model, List<float> speeds, List<float> climbs, bool stillAir, string path,
+        InsectDefinition insect, FlightModel model, List<float> speeds, List<float> climbs, TrimWake wake, string path,
         TextWriter output)
     {
         using var folder = OutputFolder.Prepare(path, k_Picture, k_Table);
-        List<TrimRow> rows = TrimSurvey.Make(model, speeds, climbs, WakeOf(stillAir), output.WriteLine);
+        List<TrimRow> rows = TrimSurvey.Make(model, speeds, climbs, wake, output.WriteLine);
         if (!rows.Exists(row => row.Closes))
             throw new UserException($"The {insect.DisplayName} does not fly at any of these speeds and climbs. {rows[0].Problem}");
         output.WriteLine(
@@ -96,7 +101,12 @@ internal static class TrimCommand
         output.WriteLine($"{Path.Combine(path, k_Picture)}, {Path.Combine(path, k_Table)}");
     }
 
-    private static TrimWake WakeOf(bool stillAir) => stillAir ? null : new TrimWake();
+    private static TrimWake WakeOf(bool isStill, bool hasWideCores)
+    {
+        if (isStill && hasWideCores)
+            throw new UserException("--wide-cores is about the wakes that --still-air leaves out: give one of them.");
+        return isStill ? null : new TrimWake { HasWideCores = hasWideCores };
+    }
 
     private static List<float> List(double[] given, IReadOnlyList<float> otherwise) =>
         given is { Length: > 0 } ? given.Select(value => (float)value).Distinct().Order().ToList() : otherwise.ToList();

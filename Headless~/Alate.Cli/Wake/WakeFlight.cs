@@ -35,7 +35,10 @@ internal sealed class WakeFlight : IDisposable
             Up = flight.Plan.UpOfBody,
         };
         settings.ChordPanels = plan.ChordPanels ?? settings.ChordPanels;
-        settings.FarCore = (float)(plan.FarCore ?? settings.FarCore);
+        if (plan.HasWideCores)
+            settings.WidenCores();
+        else
+            settings.FarCore = (float)(plan.FarCore ?? settings.FarCore);
         settings.GroundHeight = plan.Ground is double height ? (float)(height / Length) : settings.GroundHeight;
         List<WakeWing> wings = Wings.ConvertAll(WingOf);
         if (plan.Ground is double ground && ground <= Below)

@@ -35,6 +35,9 @@ internal sealed record WakePlan
     /// <summary>True where the rings are shown.</summary>
     public bool IsDrawn { get; init; } = true;
 
+    /// <summary>True for cores as wide as a chord.</summary>
+    public bool HasWideCores { get; init; }
+
     /// <summary>Radius of an old core, chords; null is the default.</summary>
     public double? FarCore { get; init; }
 

@@ -37,5 +37,21 @@ namespace Alate.Tests.Cli
             Assert.That(last.Replayed.y, Is.EqualTo(last.Wake.y).Within(0.03), "of the weight");
             Assert.That(last.Change, Is.LessThan(0.03), "the third round is all but the last one");
         }
+
+        // With slender cores the monarch's is another one in each beat.
+        [TestCase("monarch")]
+        [TestCase("painted-lichen-moth")]
+        public void OfWideCores_TheWakeOfAHover_SettlesInThreeRounds(string name)
+        {
+            FlightPlan plan = TrimmedFlight.Of(
+                new FlightPlan { Species = name, Variant = InsectVariant.Flight, RecordsAir = true, Substeps = 192 });
+            using var rounds = new WakeRounds(plan, Insect.Of(plan), new WakePlan { HasWideCores = true, Beats = 10 });
+            for (int round = 0; round < 3; round++)
+                rounds.Run(_ => { });
+
+            Assert.That(rounds.All[^1].Change, Is.LessThan(0.01));
+            Assert.That(rounds.All[^1].Wake.y, Is.EqualTo(rounds.All[^2].Wake.y).Within(0.003), "of the weight");
+            Assert.That(rounds.All[^1].Replayed.y, Is.EqualTo(rounds.All[^1].Wake.y).Within(0.05), "as the page says");
+        }
     }
 }

@@ -103,6 +103,27 @@ namespace Alate.Tests.Cli
         }
 
         [Test]
+        public void WideCores_AreNotThoseOfStillAir()
+        {
+            using var run = new CommandRun();
+            Assert.That(run.Run("trim", "monarch", "--still-air", "--wide-cores", "--out", run.Out), Is.EqualTo(2));
+            Assert.That(run.Errors.Trim(), Does.EndWith("give one of them.").And.Contain("--wide-cores").And.Contain("--still-air"));
+            Assert.That(Directory.Exists(run.Out), Is.False);
+        }
+
+        [Test]
+        public void WithWideCores_AMothHoversInItsOwnAir()
+        {
+            using var run = new CommandRun();
+            run.Run("trim", "painted-lichen-moth", "--speeds", "0", "--climbs", "0", "--wide-cores", "--out", run.Out);
+            string[] lines = File.ReadAllLines(Path.Combine(run.Out, "trim.csv"));
+
+            Assert.That(run.Output, Does.Not.Contain("another one in each beat"));
+            Assert.That(lines, Has.Length.EqualTo(2));
+            AssertCloses(lines[1]);
+        }
+
+        [Test]
         public void Picture_HasACurveOfThePower()
         {
             var svg = XElement.Load(Path.Combine(m_Run.Out, "trim.svg"));

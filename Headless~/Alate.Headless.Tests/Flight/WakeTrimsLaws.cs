@@ -117,6 +117,30 @@ namespace Alate.Tests.FreeFlights
             Assert.That(TrimSolver.Norm(residual), Is.LessThan(TrimSolver.Closed), "and the trim balances in it");
         }
 
+        // Their wakes stay between the wings: rings of slender cores throw one another about, another way in each beat. They are compared
+        // at half as many substeps again as the air was moved for.
+        [TestCase("monarch")]
+        [TestCase("swallowtail")]
+        [TestCase("painted-lichen-moth")]
+        public void TheAirOfAHover_GivesTheForceOfItsWake(string species)
+        {
+            using var insect = new FlyingInsect(species);
+            var condition = new FlightCondition(0f, 0f);
+            var trim = TrimState.Read(insect.Table.PointNear(0f, 0f), insect.Model.Frequency);
+            var found = new WingInflow[TrimPoint.Pairs];
+            Assert.That(new TrimWake { HasWideCores = true }.Find(insect.Model, trim, condition, found));
+            using TrimSheet wake = TrimWake.WideBehind(insect.Model, trim, condition, found.Length);
+            Assert.That(wake.Repeated(8, 16, 0.01f), Is.Not.Null, "a wake of wide cores repeats");
+
+            TrimState replayed = trim.Copy();
+            found.CopyTo(replayed.inflow, 0);
+            float3 force = new TrimMotion(insect.Model, replayed, condition, found.Length, 12).Force;
+            float2 by = wake.Force.yz / insect.Model.Weight, again = force.yz / insect.Model.Weight;
+            TestContext.Out.WriteLine($"{species}: {by} by the wake, {again} replayed");
+            Assert.That(again.x, Is.EqualTo(by.x).Within(0.03), "lift");
+            Assert.That(again.y, Is.EqualTo(by.y).Within(0.03), "thrust");
+        }
+
         [Test]
         public void AWingWithoutASurface_ShedsNone_InOneLine()
         {

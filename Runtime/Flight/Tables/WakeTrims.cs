@@ -12,7 +12,7 @@ namespace Alate.Flight
     internal sealed class WakeTrims
     {
         /// <summary>Most rounds, share of the way to the air of the last wake, and change of the air that ends them.</summary>
-        private const int k_Rounds = 6;
+        private const int k_Rounds = 12;
         private const float k_Step = 0.9f, k_Settled = 0.03f;
 
         private readonly FlightModel m_Model;

@@ -59,6 +59,9 @@ namespace Alate.Flight
             }
         }
 
+        /// <summary>Rotation of the body without its bob, its heading ahead.</summary>
+        internal quaternion MeanRotation => Rotations.AboutX(-(float)z[0]);
+
         /// <summary>Rotation of the body at a time, its heading ahead.</summary>
         /// <param name="beats">Time, beats.</param>
         internal quaternion RotationAt(double beats) => Rotations.AboutX((float)(Bob(2, beats, false) - z[0]));

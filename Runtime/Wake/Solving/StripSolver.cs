@@ -12,6 +12,12 @@ namespace Alate.Wake
         /// <summary>Share of the largest circulation that may lack: at which it is settled, and up to which the step counts.</summary>
         private const float k_Tolerance = 2e-4f, k_Enough = 0.01f;
         private const float k_SmallStep = 0.1f;
+
+        /// <summary>
+        /// Cosine of the angle to the air below which the lift falls to nothing: the coefficients have a little at a right angle, where its
+        /// direction turns about.
+        /// </summary>
+        private const float k_Upright = 0.05f;
         private const int k_MostPasses = 20, k_MostHalvings = 6, k_MostSmallSteps = 60;
 
         private readonly WakeSettings m_Settings;
@@ -24,6 +30,7 @@ namespace Alate.Wake
         private readonly float3[] m_Velocities;
         private readonly float[] m_Circulation, m_Next, m_Wanted, m_Change;
         private readonly LinearSystem m_System;
+        private readonly StalledStrips m_Stalled;
         private float m_Tolerance;
 
         public StripSolver(WakeSettings settings, WingState[] wings, int[] first)
@@ -39,6 +46,7 @@ namespace Alate.Wake
             m_Wanted = new float[count];
             m_Change = new float[count];
             m_System = new LinearSystem(count);
+            m_Stalled = new StalledStrips(first);
             m_Polars = new StripPolar[wings.Length];
             for (int k = 0; k < wings.Length; k++)
                 m_Polars[k] = new StripPolar(wings[k].Wing.Coefficients, wings[k].Wing.Downwash);
@@ -109,10 +117,12 @@ namespace Alate.Wake
         // steps then.
         private bool Iterate()
         {
+            m_Stalled.Clear();
             float lack = Lack(m_Circulation);
             for (int pass = 0; pass < k_MostPasses && lack > m_Tolerance; pass++)
             {
-                Linearise();
+                if (Linearise())
+                    lack = Lack(m_Circulation);
                 if (!m_System.Solve(m_Change))
                     break;
                 float share = 1f, before = lack;
@@ -147,7 +157,7 @@ namespace Alate.Wake
                 for (int j = 0; j < m_Wings[wing].Lattice.SpanPanels; j++)
                 {
                     int strip = m_First[wing] + j;
-                    m_Wanted[strip] = Wanted(Meet(wing, j, Air(wing, j, circulation)));
+                    m_Wanted[strip] = Wanted(Meet(wing, j, Air(wing, j, circulation))) + m_Stalled.Taken(wing, strip, circulation);
                     lack = math.max(lack, math.abs(m_Wanted[strip] - circulation[strip]));
                     largest = math.max(largest, math.abs(m_Wanted[strip]));
                 }
@@ -157,10 +167,12 @@ namespace Alate.Wake
             return lack;
         }
 
-        // Equations of the change that makes up for the lack, by differences of what the lift asks for in a changed stream.
-        private void Linearise()
+        // Equations of the change that makes up for the lack, by differences of what the lift asks for in a changed stream; true where
+        // strips are found stalled, or more so than before.
+        private bool Linearise()
         {
             int count = m_Circulation.Length;
+            bool isMore = false;
             for (int wing = 0; wing < m_Wings.Length; wing++)
             {
                 for (int j = 0; j < m_Wings[wing].Lattice.SpanPanels; j++)
@@ -173,11 +185,20 @@ namespace Alate.Wake
                     float3 gradient =
                         (Wanted(Meet(wing, j, air + step * normal)) - Wanted(Meet(wing, j, air - step * normal))) / (2f * step) * normal
                         + (Wanted(Meet(wing, j, air + step * chord)) - Wanted(Meet(wing, j, air - step * chord))) / (2f * step) * chord;
+                    isMore |= m_Stalled.Meet(strip, math.dot(gradient, m_Velocities[strip * count + strip]));
                     for (int source = 0; source < count; source++)
-                        m_System.Set(strip, source, (source == strip ? 1f : 0f) - math.dot(gradient, m_Velocities[strip * count + source]));
-                    m_System.SetRight(strip, now - m_Circulation[strip]);
+                    {
+                        float slope = math.dot(gradient, m_Velocities[strip * count + source]);
+                        if (math.abs(source - strip) <= 1)
+                            slope += m_Stalled.Slope(wing, strip, source);
+                        m_System.Set(strip, source, (source == strip ? 1f : 0f) - slope);
+                    }
+
+                    m_System.SetRight(strip, now + m_Stalled.Taken(wing, strip, m_Circulation) - m_Circulation[strip]);
                 }
             }
+
+            return isMore;
         }
 
         // ½ c C_L V: a strip that turns about its middle has lift in the mean of the squares of the speeds, which no circulation carries.
@@ -268,7 +289,8 @@ namespace Alate.Wake
             m_Polars[wing].Evaluate(angle, out float lift, out float drag, out float outer);
             float3 along = met.stream / speed;
             float3 up = math.sign(across) * math.normalizesafe(patch.normal - math.dot(patch.normal, along) * along);
-            met.lift = 0.5f * patch.area * square * lift * up;
+            float firm = math.smoothstep(0f, k_Upright, math.sqrt(math.max(0f, 1f - across * across / square)));
+            met.lift = 0.5f * patch.area * square * lift * firm * up;
             met.drag = 0.5f * patch.area * square * drag * along;
             float turn = outer - angle;
             met.outer = (math.cos(turn) - 1f) * met.stream + math.sin(turn) * speed * up;

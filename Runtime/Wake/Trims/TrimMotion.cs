@@ -26,8 +26,9 @@ namespace Alate.Wake
         /// <param name="trim">The trim, with the air that its wings meet.</param>
         /// <param name="condition">Of the trim.</param>
         /// <param name="mostWings">Most right wings that are taken.</param>
+        /// <param name="finer">Factor on the substeps of flights.</param>
         /// <exception cref="ArgumentException">A wing has no surface, or one that sheds no wake.</exception>
-        public TrimMotion(FlightModel model, TrimState trim, in FlightCondition condition, int mostWings)
+        public TrimMotion(FlightModel model, TrimState trim, in FlightCondition condition, int mostWings, int finer = 1)
         {
             m_Model = model;
             m_Trim = trim;
@@ -45,11 +46,14 @@ namespace Alate.Wake
 
             double frequency = model.Frequency * trim.FrequencyScale;
             Period = (float)(1.0 / frequency);
-            Fly(condition, FlightTunnel.Substeps(model, frequency));
+            Fly(condition, finer * FlightTunnel.Substeps(model, frequency));
         }
 
         /// <summary>Seconds of a beat.</summary>
         public float Period { get; }
+
+        /// <summary>Mean force of the air on the wings and their mirror images, N.</summary>
+        public float3 Force { get; private set; }
 
         /// <summary>The wings, in the order of the model.</summary>
         public IReadOnlyList<WakeWing> Wings => m_Wings;
@@ -82,6 +86,7 @@ namespace Alate.Wake
                 for (int k = 0; k < m_Right.Count; k++)
                     samples[k][step] = m_Grids[k].Evaluate(Places(tunnel, m_Right[k], start + (double)step / substeps));
                 tunnel.World.StepOnce(h);
+                Force += ForceNow(tunnel, start + (step + 0.5) / substeps) / substeps;
             }
 
             for (int k = 0; k < m_Right.Count; k++)
@@ -90,6 +95,19 @@ namespace Alate.Wake
                     FourierMotion.Through(samples[k], m_Grids[k].Across, m_Grids[k].Along, start),
                     m_Model.Wings[m_Right[k]].Parameters.options));
             }
+        }
+
+        // Mean over the last step: of right wings and, as their mirror images push the other way across, twice what is left.
+        private float3 ForceNow(FlightTunnel tunnel, double beats)
+        {
+            float3 sum = default;
+            foreach (int index in m_Right)
+            {
+                BodyWing place = m_Model.Place(m_Model.Wings[index]);
+                sum += place.mass * place.length * place.ToBody(tunnel.World.Read(tunnel.Wings(0)[index]).AirForce);
+            }
+
+            return new float3(0f, 2f, 2f) * math.rotate(m_Trim.RotationAt(beats), sum);
         }
 
         // [vertex] Places of a wing that has just been skinned.

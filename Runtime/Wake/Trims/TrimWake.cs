@@ -1,7 +1,5 @@
 using System;
-using System.Collections.Generic;
 using Alate.Flight;
-using Unity.Mathematics;
 
 namespace Alate.Wake
 {
@@ -11,8 +9,8 @@ namespace Alate.Wake
     /// </summary>
     public sealed class TrimWake : ITrimWake
     {
-        /// <summary>Beats until a wake has grown, and further ones that are averaged where it is another one in each beat.</summary>
-        private const int k_GrownBeats = 2, k_MoreBeats = 3;
+        /// <summary>Beats until a wake has grown, and most beats until one of wide cores repeats.</summary>
+        private const int k_GrownBeats = 2, k_MostBeats = 16;
 
         /// <summary>
         /// Change of the air from beat to beat below which a wake repeats, and difference of a beat from the mean of some from which that
@@ -20,76 +18,48 @@ namespace Alate.Wake
         /// </summary>
         private const float k_Repeats = 0.03f, k_MostDifference = 0.25f;
 
+        /// <summary>Factor on the substeps of flights with which forces of a wake and of its air replayed are compared.</summary>
+        private const int k_Finer = 8;
+
+        /// <summary>
+        /// True where a wake that is another one in each beat has cores as wide as a chord. Where wings beat on and on in their own wake,
+        /// rings of slender cores throw one another about; those of wide ones repeat, and their air is moved until, replayed, it gives
+        /// their mean force. False, the default: the air is the mean of some beats, or none where they have nothing in common.
+        /// </summary>
+        public bool HasWideCores { get; set; }
+
         /// <inheritdoc/>
         /// <exception cref="ArgumentException">A wing has no surface, or one that sheds no wake.</exception>
         public bool Find(FlightModel model, TrimState trim, in FlightCondition condition, WingInflow[] pairs)
         {
+            WingInflow[] air;
             var motion = new TrimMotion(model, trim, condition, pairs.Length);
-            float scale = motion.Period / model.Length;
-            var settings = new WakeSettings
+            using (var wake = new TrimSheet(model, condition, motion, new WakeSettings()))
             {
-                Symmetric = true,
-                Stream = -new float3(0f, condition.Climb, condition.Speed) * scale,
-                Viscosity = WakeFluid.ViscosityOf(model.FluidDensity) * scale / model.Length,
-            };
-            using var wake = new FreeWake(settings, motion.Wings);
-            WingInflow[] mean = Settled(wake, motion, settings.StepsPerBeat);
-            if (mean == null)
-                return false;
-            for (int pair = 0; pair < pairs.Length; pair++)
-                pairs[pair] = pair < mean.Length ? mean[pair] : default;
-            return true;
+                air = wake.Repeated(k_GrownBeats, k_GrownBeats, k_Repeats)
+                    ?? (HasWideCores ? null : wake.Mean(k_MostDifference));
+            }
+
+            if (HasWideCores)
+                air ??= Wide(model, trim, condition, pairs.Length);
+            for (int pair = 0; pair < pairs.Length && air != null; pair++)
+                pairs[pair] = pair < air.Length ? air[pair] : default;
+            return air != null;
         }
 
-        // The last beat of a wake that repeats, else the mean of some beats; null where they have nothing in common.
-        private static WingInflow[] Settled(FreeWake wake, TrimMotion motion, int steps)
+        /// <summary>A wake of wide cores behind a trim.</summary>
+        internal static TrimSheet WideBehind(FlightModel model, TrimState trim, in FlightCondition condition, int pairs)
         {
-            WingInflow[] before = null, last = null;
-            for (int beat = 0; beat <= k_GrownBeats; beat++)
-            {
-                before = last;
-                last = Beat(wake, motion, steps);
-            }
-
-            if (Difference(before, last) < k_Repeats)
-                return last;
-            var beats = new List<WingInflow[]>();
-            var mean = new WingInflow[last.Length];
-            while (beats.Count < k_MoreBeats)
-            {
-                beats.Add(Beat(wake, motion, steps));
-                for (int pair = 0; pair < mean.Length; pair++)
-                    mean[pair] += beats[beats.Count - 1][pair] * (1f / k_MoreBeats);
-            }
-
-            return beats.TrueForAll(beat => Difference(beat, mean) < k_MostDifference) ? mean : null;
+            var settings = new WakeSettings();
+            settings.WidenCores();
+            return new TrimSheet(model, condition, new TrimMotion(model, trim, condition, pairs, k_Finer), settings);
         }
 
-        private static WingInflow[] Beat(FreeWake wake, TrimMotion motion, int steps)
+        private static WingInflow[] Wide(FlightModel model, TrimState trim, in FlightCondition condition, int pairs)
         {
-            var air = new WingInflow[wake.WingCount];
-            for (int step = 0; step < steps; step++)
-            {
-                double time = wake.Time;
-                wake.Step();
-                for (int wing = 0; wing < air.Length; wing++)
-                    air[wing] += WingInflow.Sample(time, motion.ToWing(wing, time, wake.Loads(wing).Inflow)) * (1f / steps);
-            }
-
-            return air;
-        }
-
-        // Not a number where the air is none.
-        private static float Difference(WingInflow[] air, WingInflow[] from)
-        {
-            float change = 0f, size = 0f;
-            for (int wing = 0; wing < air.Length; wing++)
-            {
-                change += (air[wing] + from[wing] * -1f).MeanSquare;
-                size += from[wing].MeanSquare;
-            }
-
-            return math.sqrt(change / size);
+            using TrimSheet wake = WideBehind(model, trim, condition, pairs);
+            WingInflow[] air = wake.Repeated(k_GrownBeats, k_MostBeats, k_Repeats);
+            return air == null ? null : new FittedAir(model, trim, condition, air, k_Finer).Give(wake.Force);
         }
     }
 }

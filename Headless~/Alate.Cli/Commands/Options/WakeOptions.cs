@@ -38,6 +38,11 @@ internal sealed class WakeOptions
     private readonly Option<double?> m_Keep = Numbers.Optional(
         "--keep", "BEATS", 0.1, 50, "Age at which wake is dropped, beats. [default: 2]");
 
+    private readonly Option<bool> m_WideCores = new("--wide-cores")
+    {
+        Description = "Vortex cores as wide as a chord: the wake of an insect that hovers is then the same in each beat.",
+    };
+
     private readonly Option<double?> m_Ground = Numbers.Optional(
         "--ground", "M", 0.001, 1000, "Height of the thorax above a ground, metres. [default: no ground]");
 
@@ -54,7 +59,8 @@ internal sealed class WakeOptions
     {
         Option[] all =
         [
-            m_Free, m_Method, m_Downwash, m_Beats, m_Rounds, m_Steps, m_Across, m_Along, m_Keep, m_Ground, m_Plane, m_NoPictures,
+            m_Free, m_Method, m_Downwash, m_Beats, m_Rounds, m_Steps, m_Across, m_Along, m_Keep, m_WideCores, m_Ground, m_Plane,
+            m_NoPictures,
         ];
         foreach (Option option in all)
             command.Options.Add(option);
@@ -84,6 +90,7 @@ internal sealed class WakeOptions
             ChordPanels = parsed.GetValue(m_Across),
             SpanPanels = parsed.GetValue(m_Along) ?? usual.SpanPanels,
             Keep = parsed.GetValue(m_Keep) ?? usual.Keep,
+            HasWideCores = parsed.GetValue(m_WideCores),
             Ground = parsed.GetValue(m_Ground),
             Plane = parsed.GetValue(m_Plane),
             IsDrawn = !parsed.GetValue(m_NoPictures),
