@@ -27,21 +27,29 @@ namespace Alate.Wake
         /// <returns>False where the matrix is singular or holds what is no number; the solution is 0 then.</returns>
         public bool Solve(Span<float> solution)
         {
-            for (int k = 0; k < Size; k++)
+            for (int k = 0; k < Size; k += 2)
             {
-                int pivot = Pivot(k);
-                double diagonal = m_Matrix[pivot * Size + k];
-                if (!(Math.Abs(diagonal) > 1e-12) || double.IsInfinity(diagonal))
+                // Two columns at a time: what lies right of both is read and written once.
+                if (!BringUp(k))
+                    return None(solution);
+                bool isLast = k + 1 == Size;
+                for (int row = k + 1; row < Size; row++)
                 {
-                    solution.Clear();
-                    return false;
+                    double factor = m_Matrix[row * Size + k] /= m_Matrix[k * Size + k];
+                    if (!isLast)
+                        m_Matrix[row * Size + k + 1] -= factor * m_Matrix[k * Size + k + 1];
                 }
 
-                if (pivot != k)
-                    Swap(k, pivot);
-                Span<double> top = m_Matrix.AsSpan(k * Size, Size);
-                for (int row = k + 1; row < Size; row++)
-                    Subtract(top, row, k, diagonal);
+                if (isLast)
+                    break;
+                if (!BringUp(k + 1))
+                    return None(solution);
+                Subtract(k, k + 1, -1);
+                for (int row = k + 2; row < Size; row++)
+                {
+                    m_Matrix[row * Size + k + 1] /= m_Matrix[(k + 1) * Size + k + 1];
+                    Subtract(k, row, k + 1);
+                }
             }
 
             for (int k = Size - 1; k >= 0; k--)
@@ -54,6 +62,22 @@ namespace Alate.Wake
             }
 
             return true;
+        }
+
+        // The row of the largest entry of a column, of those not yet used up, becomes that of the diagonal.
+        private bool BringUp(int column)
+        {
+            int pivot = Pivot(column);
+            if (pivot != column)
+                Swap(column, pivot);
+            double diagonal = m_Matrix[column * Size + column];
+            return Math.Abs(diagonal) > 1e-12 && !double.IsInfinity(diagonal);
+        }
+
+        private static bool None(Span<float> solution)
+        {
+            solution.Clear();
+            return false;
         }
 
         private int Pivot(int column)
@@ -75,15 +99,26 @@ namespace Alate.Wake
             (m_Right[a], m_Right[b]) = (m_Right[b], m_Right[a]);
         }
 
-        private void Subtract(ReadOnlySpan<double> top, int row, int k, double diagonal)
+        // From a row, right of column + 1, the rows of one column or of two, whose factors stand in the row itself.
+        private void Subtract(int column, int row, int other)
         {
-            Span<double> line = m_Matrix.AsSpan(row * Size, Size);
-            double factor = line[k] / diagonal;
-            if (factor == 0.0)
+            int from = column + 2, length = Size - from;
+            double factor = m_Matrix[row * Size + column];
+            Span<double> line = m_Matrix.AsSpan(row * Size + from, length);
+            ReadOnlySpan<double> top = m_Matrix.AsSpan(column * Size + from, length);
+            m_Right[row] -= factor * m_Right[column];
+            if (other < 0)
+            {
+                for (int j = 0; j < line.Length; j++)
+                    line[j] -= factor * top[j];
                 return;
-            for (int j = k + 1; j < top.Length; j++)
-                line[j] -= factor * top[j];
-            m_Right[row] -= factor * m_Right[k];
+            }
+
+            double second = m_Matrix[row * Size + other];
+            ReadOnlySpan<double> next = m_Matrix.AsSpan(other * Size + from, length);
+            m_Right[row] -= second * m_Right[other];
+            for (int j = 0; j < line.Length; j++)
+                line[j] = line[j] - factor * top[j] - second * next[j];
         }
     }
 }
