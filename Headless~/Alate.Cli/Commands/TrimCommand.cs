@@ -76,7 +76,7 @@ internal static class TrimCommand
 
         string source = TrimSource.Write(insect, TrimTableText.Write(table, model.Key),
             Asked("--speeds", speeds, TrimBake.DefaultSpeeds) + Asked("--climbs", climbs, TrimBake.DefaultClimbs)
-                + (wake == null ? " --still-air" : wake.HasWideCores ? " --wide-cores" : ""));
+                + Asked(wake));
         OutputFile.Write(TrimSource.PathOf(insect), stream => stream.Write(Encoding.UTF8.GetBytes(source)));
         output.WriteLine(TrimSource.PathOf(insect));
     }
@@ -100,6 +100,9 @@ internal static class TrimCommand
         folder.Commit();
         output.WriteLine($"{Path.Combine(path, k_Picture)}, {Path.Combine(path, k_Table)}");
     }
+
+    /// <summary>Option about wakes, as the source of a table tells it; empty for the default.</summary>
+    internal static string Asked(TrimWake wake) => wake == null ? " --still-air" : wake.HasWideCores ? " --wide-cores" : "";
 
     private static TrimWake WakeOf(bool isStill, bool hasWideCores)
     {

@@ -6,6 +6,7 @@ using System.Xml.Linq;
 using Alate.Catalogue;
 using Alate.Cli;
 using Alate.Flight;
+using Alate.Wake;
 using NUnit.Framework;
 
 namespace Alate.Tests.Cli
@@ -103,6 +104,11 @@ namespace Alate.Tests.Cli
         }
 
         [Test]
+        public void TheSourceOfATable_TellsTheAirOfItsTrims() => Assert.That(
+            new[] { TrimCommand.Asked(null), TrimCommand.Asked(new TrimWake()), TrimCommand.Asked(new TrimWake { HasWideCores = true }) },
+            Is.EqualTo(new[] { " --still-air", "", " --wide-cores" }));
+
+        [Test]
         public void WideCores_AreNotThoseOfStillAir()
         {
             using var run = new CommandRun();
@@ -114,13 +120,16 @@ namespace Alate.Tests.Cli
         [Test]
         public void WithWideCores_AMothHoversInItsOwnAir()
         {
-            using var run = new CommandRun();
-            run.Run("trim", "painted-lichen-moth", "--speeds", "0", "--climbs", "0", "--wide-cores", "--out", run.Out);
+            using CommandRun run = new(), slender = new();
+            string[] hover = ["trim", "painted-lichen-moth", "--speeds", "0", "--climbs", "0", "--out"];
+            run.Run([.. hover, run.Out, "--wide-cores"]);
+            slender.Run([.. hover, slender.Out]);
             string[] lines = File.ReadAllLines(Path.Combine(run.Out, "trim.csv"));
 
             Assert.That(run.Output, Does.Not.Contain("another one in each beat"));
             Assert.That(lines, Has.Length.EqualTo(2));
             AssertCloses(lines[1]);
+            Assert.That(File.ReadAllLines(Path.Combine(slender.Out, "trim.csv"))[1], Is.Not.EqualTo(lines[1]), "another air");
         }
 
         [Test]

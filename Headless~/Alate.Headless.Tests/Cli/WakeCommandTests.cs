@@ -45,6 +45,17 @@ namespace Alate.Tests.Cli
         }
 
         [Test]
+        public void WideCores_LiftAFewPercentMore()
+        {
+            using var run = new CommandRun();
+            run.Run("wake", "dragonfly", "--variant", "flight", "--substeps", "24", "--span-panels", "5", "--steps", "16", "--no-pictures",
+                "--wide-cores", "--out", run.Out);
+            int up = Array.IndexOf(Rows()[0], "force_y_n");
+            double wide = File.ReadAllLines(Path.Combine(run.Out, "wake.csv")).Skip(1).Sum(line => Number(line.Split(',')[up]));
+            Assert.That(wide / Rows().Skip(1).Sum(row => Number(row[up])), Is.InRange(1.002, 1.1));
+        }
+
+        [Test]
         public void Inflow_IsTheMeanOfTheTable_AndItsWaves()
         {
             string[][] rows = Rows().Skip(1).Where(row => row[1] == "right hind wing").ToArray();

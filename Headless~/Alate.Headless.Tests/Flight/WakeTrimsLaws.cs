@@ -117,6 +117,36 @@ namespace Alate.Tests.FreeFlights
             Assert.That(TrimSolver.Norm(residual), Is.LessThan(TrimSolver.Closed), "and the trim balances in it");
         }
 
+        // In hover, where the body itself meets hardly any air.
+        [Test]
+        public void TheForceOfAMotion_CarriesTheWeightOfItsTrim(
+            [Values("monarch", "swallowtail", "firefly", "fishfly", "painted-lichen-moth", "dragonfly")] string species)
+        {
+            using var insect = new FlyingInsect(species);
+            using var solver = new TrimSolver(insect.Model);
+            var condition = new FlightCondition(0f, 0f);
+            var trim = TrimState.Read(insect.Table.PointNear(0f, 0f), insect.Model.Frequency);
+            double[] left = solver.Residual(trim, condition, out _);
+            float3 force = new TrimMotion(insect.Model, trim, condition, TrimPoint.Pairs).Force / insect.Model.Weight;
+            Assert.That(force.x, Is.Zero, "left and right");
+            Assert.That(force.y, Is.EqualTo(1.0 + left[0]).Within(0.02), "lift");
+            Assert.That(force.z, Is.EqualTo(left[1]).Within(0.02), "thrust");
+        }
+
+        // Where it repeats by itself: nothing was moved.
+        [Test]
+        public void TheForceOfAWake_IsThatOfItsAirReplayed()
+        {
+            using var insect = new FlyingInsect("firefly");
+            var condition = new FlightCondition(0f, 0f);
+            var trim = TrimState.Read(insect.Table.PointNear(0f, 0f), insect.Model.Frequency);
+            var motion = new TrimMotion(insect.Model, trim, condition, 1, 8);
+            using var wake = new TrimSheet(insect.Model, condition, motion, new WakeSettings());
+            Assert.That(wake.Repeated(2, 4, 0.03f), Is.Not.Null);
+            Assert.That(wake.Force.y / insect.Model.Weight, Is.EqualTo(motion.Force.y / insect.Model.Weight).Within(0.03));
+            Assert.That(wake.Force.z / insect.Model.Weight, Is.EqualTo(motion.Force.z / insect.Model.Weight).Within(0.03));
+        }
+
         // Their wakes stay between the wings: rings of slender cores throw one another about, another way in each beat. They are compared
         // at half as many substeps again as the air was moved for.
         [TestCase("monarch")]

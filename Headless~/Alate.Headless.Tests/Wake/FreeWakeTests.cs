@@ -233,6 +233,24 @@ namespace Alate.Tests.Wake
             Assert.That(solution, Is.All.Zero);
         }
 
+        [Test]
+        public void ASystemThatHoldsNoNumber_HasNoSolution(
+            [Values(1, 2, 3, 4)] int size, [Values(float.NaN, float.PositiveInfinity)] float value)
+        {
+            for (int place = 0; place < size * size; place++)
+            {
+                var random = Random.CreateFromIndex((uint)place);
+                var system = new LinearSystem(size);
+                for (int k = 0; k < size * size; k++)
+                    system.Set(k / size, k % size, k == place ? value : random.NextFloat(-1f, 1f));
+                for (int row = 0; row < size; row++)
+                    system.SetRight(row, 1.0);
+                float[] solution = Enumerable.Repeat(5f, size).ToArray();
+                Assert.That(system.Solve(solution), Is.False, $"at {place / size}, {place % size}");
+                Assert.That(solution, Is.All.Zero);
+            }
+        }
+
         [TestCase("StepsPerBeat is 3; allowed: 4 to 1000.")]
         [TestCase("SpanPanels is 0; allowed: 1 to 256.")]
         [TestCase("ChordPanels is 2; allowed: 1 for strips.")]

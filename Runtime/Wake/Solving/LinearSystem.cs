@@ -44,11 +44,11 @@ namespace Alate.Wake
                     break;
                 if (!BringUp(k + 1))
                     return None(solution);
-                Subtract(k, k + 1, -1);
+                Subtract(k, k + 1);
                 for (int row = k + 2; row < Size; row++)
                 {
                     m_Matrix[row * Size + k + 1] /= m_Matrix[(k + 1) * Size + k + 1];
-                    Subtract(k, row, k + 1);
+                    SubtractTwo(k, row);
                 }
             }
 
@@ -99,26 +99,28 @@ namespace Alate.Wake
             (m_Right[a], m_Right[b]) = (m_Right[b], m_Right[a]);
         }
 
-        // From a row, right of column + 1, the rows of one column or of two, whose factors stand in the row itself.
-        private void Subtract(int column, int row, int other)
+        // Takes a multiple of the row of a column from another, right of the column after it. The factor stands in the other row.
+        private void Subtract(int column, int row)
         {
-            int from = column + 2, length = Size - from;
             double factor = m_Matrix[row * Size + column];
-            Span<double> line = m_Matrix.AsSpan(row * Size + from, length);
-            ReadOnlySpan<double> top = m_Matrix.AsSpan(column * Size + from, length);
-            m_Right[row] -= factor * m_Right[column];
-            if (other < 0)
-            {
-                for (int j = 0; j < line.Length; j++)
-                    line[j] -= factor * top[j];
-                return;
-            }
-
-            double second = m_Matrix[row * Size + other];
-            ReadOnlySpan<double> next = m_Matrix.AsSpan(other * Size + from, length);
-            m_Right[row] -= second * m_Right[other];
+            Span<double> line = RightOf(column + 1, row);
+            ReadOnlySpan<double> top = RightOf(column + 1, column);
             for (int j = 0; j < line.Length; j++)
-                line[j] = line[j] - factor * top[j] - second * next[j];
+                line[j] -= factor * top[j];
+            m_Right[row] -= factor * m_Right[column];
         }
+
+        // The same with the rows of a column and of the one after it.
+        private void SubtractTwo(int column, int row)
+        {
+            double factor = m_Matrix[row * Size + column], next = m_Matrix[row * Size + column + 1];
+            Span<double> line = RightOf(column + 1, row);
+            ReadOnlySpan<double> top = RightOf(column + 1, column), below = RightOf(column + 1, column + 1);
+            for (int j = 0; j < line.Length; j++)
+                line[j] = line[j] - factor * top[j] - next * below[j];
+            m_Right[row] = m_Right[row] - factor * m_Right[column] - next * m_Right[column + 1];
+        }
+
+        private Span<double> RightOf(int column, int row) => m_Matrix.AsSpan(row * Size + column + 1, Size - column - 1);
     }
 }
