@@ -17,7 +17,6 @@ namespace Alate.Catalogue
         private readonly List<InsectVariant> m_Variants = new List<InsectVariant> { InsectVariant.Standard };
         private readonly List<Action<WingPreset>> m_Changes = new List<Action<WingPreset>>();
         private readonly MeshedWing m_Shape;
-        private MadeSurface m_Made;
 
         /// <param name="name">What the wing is called.</param>
         /// <param name="outline">The measured outline.</param>
@@ -108,6 +107,9 @@ namespace Alate.Catalogue
         /// <summary>The picture of the pattern that was painted last.</summary>
         internal KeptPicture Painted { get; } = new KeptPicture();
 
+        /// <summary>The meshed outline; wings of one outline may share it.</summary>
+        internal KeptSurface Meshed { get; set; } = new KeptSurface();
+
         /// <summary>A picture for the texture coordinates of the mesh, a PNG file; null for none.</summary>
         internal byte[] Picture { get; set; }
 
@@ -177,9 +179,7 @@ namespace Alate.Catalogue
                 return side == WingSide.Right ? own : own.Mirrored();
             }
 
-            MadeSurface made = m_Made;
-            if (made == null || !made.Is(this, scale))
-                m_Made = made = new MadeSurface(this, scale);
+            MadeSurface made = Meshed.Get(this, scale);
             return side == WingSide.Right ? made.Copy() : made.Surface.Mirrored();
         }
 

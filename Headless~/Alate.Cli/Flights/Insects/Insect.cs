@@ -5,13 +5,17 @@ namespace Alate.Cli;
 /// <summary>Insect to fly: its wings, each kind once, and its body.</summary>
 internal sealed class Insect
 {
+    // Flights that nobody looks at need neither.
+    private readonly Lazy<SurfaceMesh> m_Body;
+    private readonly Lazy<InsectAbdomen> m_Abdomen;
+
     private Insect(string name, string displayName, IReadOnlyList<InsectWing> wings, InsectDefinition definition)
     {
         Name = name;
         DisplayName = displayName;
         Wings = wings;
-        Body = definition.Body.CreateSurface(1f);
-        Abdomen = InsectAbdomen.Of(definition, Body);
+        m_Body = new(() => definition.Body.CreateSurface(1f));
+        m_Abdomen = new(() => InsectAbdomen.Of(definition, Body));
     }
 
     /// <summary>The species, or the name of the mesh's file.</summary>
@@ -22,10 +26,10 @@ internal sealed class Insect
     public IReadOnlyList<InsectWing> Wings { get; }
 
     /// <summary>The body, metres.</summary>
-    public SurfaceMesh Body { get; }
+    public SurfaceMesh Body => m_Body.Value;
 
     /// <summary>The abdomen that swings; null for none.</summary>
-    public InsectAbdomen Abdomen { get; }
+    public InsectAbdomen Abdomen => m_Abdomen.Value;
 
     /// <summary>The insect of a plan.</summary>
     /// <exception cref="UserException">An unknown species, or files that are no wing.</exception>

@@ -5,6 +5,8 @@ internal sealed class FlightSummary
 {
     private const double k_BearableP99 = 8.0, k_BearableMax = 25.0;
 
+    private readonly Lazy<Plausibility> m_Plausibility;
+
     private FlightSummary(FlightRecord flight)
     {
         Flight = flight;
@@ -15,7 +17,7 @@ internal sealed class FlightSummary
         LiftOverWeight = math.dot(MeanForce, flight.Plan.UpOfBody) / (flight.Wings[0].Wing.Preset.Size.insectMass * EarthGravity.Precise);
         NewtonIterationsMean = flight.Wings.SelectMany(wing => wing.Frames).Average(frame => frame.NewtonIterations);
         Resets = flight.Wings.Sum(wing => wing.Resets);
-        Plausibility = Plausibility.Of(flight);
+        m_Plausibility = new(() => Plausibility.Of(flight));
         Triangles = flight.Wings.Sum(wing => wing.Triangles.Length / 3);
     }
 
@@ -52,7 +54,7 @@ internal sealed class FlightSummary
     public int Resets { get; }
 
     /// <summary>Groups of the insect's numbers beside those of real ones.</summary>
-    public Plausibility Plausibility { get; }
+    public Plausibility Plausibility => m_Plausibility.Value;
 
     /// <summary>Triangles of all wings.</summary>
     public int Triangles { get; }

@@ -1,5 +1,3 @@
-using System.Text.Json.Nodes;
-
 namespace Alate.Cli;
 
 /// <summary>A number that a study changes, and the values it takes.</summary>
@@ -48,36 +46,40 @@ internal sealed record StudyParameter(
     }
 
     /// <summary>Gives an insect file the value, also where a variant has one of its own.</summary>
-    /// <param name="file">All numbers of the insect.</param>
+    /// <param name="file">All numbers of the insect; it stays as it is.</param>
     /// <param name="variant">Word of the variant that flies.</param>
     /// <param name="value">The value.</param>
+    /// <returns>The file with the value.</returns>
     /// <exception cref="UserException">The insect has no such number.</exception>
-    public void In(JsonNode file, string variant, double value)
+    public JsonPlace In(JsonPlace file, string variant, double value)
     {
         string[] path = Key[OfInsect.Length..].Split('.');
-        if (!TrySet(file, path, value))
-            throw new UserException($"The insect has no number '{Key}'; 'species NAME --json FILE' writes all that it has.");
-        if (file[InsectKeys.Variants]?[variant] is { } own)
-            TrySet(own, path, value);
+        string text = ((decimal)value).ToString(CultureInfo.InvariantCulture);
+        JsonPlace changed = With(file, path, text)
+            ?? throw new UserException($"The insect has no number '{Key}'; 'species NAME --json FILE' writes all that it has.");
+        return With(changed, [InsectKeys.Variants, variant, .. path], text) ?? changed;
     }
 
-    private static bool TrySet(JsonNode place, string[] path, double value)
+    // The value with a number at the end of a path changed, sharing all else; null where there is none.
+    private static JsonPlace With(JsonPlace place, ReadOnlySpan<string> path, string number)
     {
-        foreach (string word in path[..^1])
-            place = Member(place, word);
-        if (Member(place, path[^1]) is not JsonValue number || number.GetValueKind() != System.Text.Json.JsonValueKind.Number)
-            return false;
-        number.ReplaceWith(JsonValue.Create((decimal)value));
-        return true;
+        if (path.IsEmpty)
+            return place.Kind == JsonKind.Number ? new JsonPlace(JsonKind.Number, place.Path, place.Line, number) : null;
+        List<(string Key, JsonPlace Value)> members = [.. place.Members];
+        List<JsonPlace> items = [.. place.Items];
+        string word = path[0];
+        int member = members.FindIndex(one => one.Key == word);
+        if (member < 0 && !(int.TryParse(word, NumberStyles.None, CultureInfo.InvariantCulture, out member) && member < items.Count))
+            return null;
+        JsonPlace changed = With(place.IsObject ? members[member].Value : items[member], path[1..], number);
+        if (changed == null)
+            return null;
+        if (place.IsObject)
+            members[member] = (word, changed);
+        else
+            items[member] = changed;
+        return new JsonPlace(place.Kind, place.Path, place.Line, place.Text, members, items);
     }
-
-    private static JsonNode Member(JsonNode place, string word) => place switch
-    {
-        JsonObject all => all[word],
-        JsonArray list when int.TryParse(word, NumberStyles.None, CultureInfo.InvariantCulture, out int index) && index < list.Count =>
-            list[index],
-        _ => null,
-    };
 
     // Nine digits: so that a table says 0.1, not 0.1000000000000001.
     private static double Rounded(double value) =>

@@ -1,5 +1,5 @@
 using System.Security.Cryptography;
-using System.Text.Json.Nodes;
+using System.Text.RegularExpressions;
 
 namespace Alate.Cli;
 
@@ -7,6 +7,7 @@ namespace Alate.Cli;
 internal sealed class StudyPlan
 {
     private readonly string m_InsectText;
+    private readonly JsonPlace m_Insect;
     private readonly KeptFiles m_Files = new(InputFiles.Instance);
 
     /// <summary>Completes what a file says.</summary>
@@ -18,6 +19,7 @@ internal sealed class StudyPlan
         File = file;
         Flight = flight;
         m_InsectText = InsectFileText.Write(flight.Definition);
+        m_Insect = JsonPlace.Read(new StringReader(m_InsectText));
         Measures = file.Measures.Select(name => StudyMeasure.Find(name, flight.Definition) ?? throw Unknown(name)).ToList();
         string missing = new[] { file.Most, file.Least }.Concat(file.Goal?.Measures ?? [])
             .FirstOrDefault(name => name != null && !file.Measures.Contains(name));
@@ -103,24 +105,18 @@ internal sealed class StudyPlan
 
     private InsectDefinition InsectAt((StudyParameter Parameter, double Value)[] changes)
     {
-        var insect = JsonNode.Parse(m_InsectText);
+        string variant = KnownSpecies.Word(Flight.Variant);
+        JsonPlace insect = m_Insect;
         foreach ((StudyParameter parameter, double value) in changes)
-        {
-            if (parameter.IsOfInsect)
-                parameter.In(insect, KnownSpecies.Word(Flight.Variant), value);
-        }
-
+            insect = parameter.IsOfInsect ? parameter.In(insect, variant, value) : insect;
         try
         {
-            return InsectFile.Read(
-                JsonPlace.Read(new StringReader(insect.ToJsonString())), Flight.Definition.FilePath ?? File.Path, m_Files);
+            return InsectFile.Read(insect, Flight.Definition.FilePath ?? File.Path, m_Files);
         }
         catch (FormatException problem)
         {
             // The lines are those of a text that nobody sees.
-            const string k_Line = "line 1, ";
-            throw new UserException(
-                problem.Message.StartsWith(k_Line, StringComparison.Ordinal) ? problem.Message[k_Line.Length..] : problem.Message);
+            throw new UserException(Regex.Replace(problem.Message, "^line [0-9]+, ", ""));
         }
     }
 

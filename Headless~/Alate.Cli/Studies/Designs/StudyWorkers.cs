@@ -11,6 +11,13 @@ internal static class StudyWorkers
 
     private const int k_Poll = 200;
 
+    // Settings of .NET that no file of the program can give it. A worker flies the same again and again: its code is compiled once, and
+    // what a flight leaves behind is collected rarely.
+    private static readonly (string Name, string Value)[] s_Runtime =
+    [
+        ("DOTNET_TieredCompilation", "0"), ("DOTNET_EnableWriteXorExecute", "0"), ("DOTNET_GCgen0size", "0x2000000"),
+    ];
+
     /// <summary>Ends this process, where it is a worker, with the one that began it.</summary>
     public static void EndWithParent()
     {
@@ -81,6 +88,8 @@ internal static class StudyWorkers
             RedirectStandardError = true,
         };
         start.Environment[k_Worker] = "1";
+        foreach ((string name, string value) in s_Runtime)
+            start.Environment.TryAdd(name, value);
         var worker = Process.Start(start);
         worker.OutputDataReceived += (_, _) => { };
         worker.BeginOutputReadLine();
