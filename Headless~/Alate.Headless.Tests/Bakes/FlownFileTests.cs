@@ -59,6 +59,32 @@ namespace Alate.Tests.Bakes
             }
         }
 
+        [Test]
+        public void ASmallerMesh_IsPlayedByTheSameJoints_AndItsAbdomenSwings()
+        {
+            InsectBake bake = new BakePlan { Species = InsectCatalogue.Find("monarch"), Frames = 8, Triangles = 1500 }.Bake(out _);
+            var skin = new GltfPlayer(File.ReadAllBytes(
+                Path.Combine(m_Files.Folder("monarch --format gltf-skin --frames 8 --triangles 1500"), "monarch-skin.glb")));
+            BakedAbdomen abdomen = bake.Abdomens.Single();
+            float swing = 0f;
+            for (int frame = 0; frame < 8; frame++)
+            {
+                BakedFrame baked = bake.Clips[0].Frames[frame];
+                (float3[] positions, _) = skin.Play("cruise", frame / 8.0 * skin.Length("cruise"));
+                for (int vertex = 0; vertex < positions.Length; vertex++)
+                {
+                    float3 place = ToGltf(baked.Positions[vertex]) * bake.MetresPerUnit;
+                    Assert.That(
+                        math.distance(place, positions[vertex]), Is.LessThan(1.5e-3f * bake.WingLength * bake.MetresPerUnit), $"{vertex}");
+                }
+
+                for (int vertex = abdomen.FirstVertex; vertex < abdomen.FirstVertex + abdomen.VertexCount; vertex++)
+                    swing = math.max(swing, math.distance(baked.Positions[vertex], bake.Clips[0].Frames[0].Positions[vertex]));
+            }
+
+            Assert.That(swing / bake.WingLength, Is.GreaterThan(0.01f));
+        }
+
         private static InsectBake Flown(string species, int frames) => new BakePlan
         {
             Species = InsectCatalogue.Find(species),

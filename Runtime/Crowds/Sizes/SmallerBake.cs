@@ -35,7 +35,7 @@ namespace Alate.Crowds
                 Name = bake.Name,
                 Surface = Surface(bake.Surface, reduced, placeOf),
                 Wings = Map(bake.Wings, wing => Wing(wing, placeOf)),
-                Abdomens = Array.Empty<BakedAbdomen>(),
+                Abdomens = Map(bake.Abdomens, abdomen => Abdomen(abdomen, reduced.Vertices)),
                 Clips = Map(bake.Clips, clip => Clip(clip, reduced.Vertices)),
                 MetresPerUnit = bake.MetresPerUnit,
                 WingLength = bake.WingLength,
@@ -88,6 +88,26 @@ namespace Alate.Crowds
                 VertexJoints = Pick(wing.VertexJoints, places),
                 VertexWeights = Pick(wing.VertexWeights, places),
             };
+        }
+
+        // Vertices are ascending, so that those of an abdomen stay behind one another.
+        private static BakedAbdomen Abdomen(BakedAbdomen abdomen, int[] vertices)
+        {
+            int first = CountBelow(vertices, abdomen.FirstVertex);
+            return new BakedAbdomen
+            {
+                Name = abdomen.Name,
+                FirstVertex = first,
+                VertexCount = CountBelow(vertices, abdomen.FirstVertex + abdomen.VertexCount) - first,
+                Joint = abdomen.Joint,
+                Hinge = abdomen.Hinge,
+            };
+        }
+
+        private static int CountBelow(int[] ascending, int vertex)
+        {
+            int place = Array.BinarySearch(ascending, vertex);
+            return place < 0 ? ~place : place;
         }
 
         private static BakedClip Clip(BakedClip clip, int[] vertices) => new BakedClip

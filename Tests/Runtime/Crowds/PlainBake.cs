@@ -7,7 +7,7 @@ using UnityEngine;
 namespace Alate.Tests.Crowds
 {
     /// <summary>
-    /// A bake made by hand: two plane wings along X with one fold each, and a small body between; every number of every vertex differs.
+    /// A bake made by hand: two plane wings along X with one fold each, and a small body between that is an abdomen; every number of every vertex differs.
     /// </summary>
     internal static class PlainBake
     {
@@ -25,7 +25,11 @@ namespace Alate.Tests.Crowds
                 Wings = new[] { Wing("right", WingSide.Right, 0), Wing("left", WingSide.Left, 1) },
                 MetresPerUnit = 0.025f,
                 WingLength = WingLength,
-                JointCount = 4,
+                Abdomens = new[]
+                {
+                    new BakedAbdomen { Name = "abdomen", FirstVertex = 2 * k_WingVertices, VertexCount = k_BodyVertices, Joint = 4 },
+                },
+                JointCount = 5,
             };
             var clips = new List<BakedClip>();
             for (int clip = 0; clip < frames.Length; clip++)
@@ -140,7 +144,7 @@ namespace Alate.Tests.Crowds
         private static BakedFrame Frame(InsectBake bake, float angle)
         {
             BakedSurface surface = bake.Surface;
-            var frame = new BakedFrame(surface.VertexCount, 4);
+            var frame = new BakedFrame(surface.VertexCount, 5);
             for (int vertex = 0; vertex < surface.VertexCount; vertex++)
             {
                 float side = vertex < k_WingVertices ? 1f : vertex < 2 * k_WingVertices ? -1f : 0f;
@@ -150,7 +154,7 @@ namespace Alate.Tests.Crowds
                 frame.Normals[vertex] = math.rotate(turn, surface.Normals[vertex]);
             }
 
-            for (int joint = 0; joint < 4; joint++)
+            for (int joint = 0; joint < 5; joint++)
                 frame.Joints[joint] = new BakedJoint(new float3(joint, angle, 0f), quaternion.RotateZ(angle));
             return frame;
         }

@@ -79,6 +79,21 @@ namespace Alate.Tests.Crowds
         }
 
         [Test]
+        public void AnAbdomen_KeepsItsJoint_AndTheVerticesThatAreLeft()
+        {
+            InsectBake whole = PlainBake.Make(1), smaller = SmallerBake.Of(whole, 70, out _);
+            int[] kept = Kept(whole, smaller);
+            BakedAbdomen from = whole.Abdomens[0], to = smaller.Abdomens[0];
+
+            Assert.That(smaller.Abdomens, Has.Count.EqualTo(1));
+            Assert.That((to.Name, to.Joint, to.Hinge), Is.EqualTo((from.Name, from.Joint, from.Hinge)));
+            Assert.That(
+                Enumerable.Range(to.FirstVertex, to.VertexCount).Select(vertex => kept[vertex]),
+                Is.EqualTo(kept.Where(vertex => vertex >= from.FirstVertex && vertex < from.FirstVertex + from.VertexCount)));
+            Assert.That(to.VertexCount, Is.GreaterThan(2));
+        }
+
+        [Test]
         public void Clips_KeepHowTheyWereFlown()
         {
             InsectBake whole = PlainBake.Make(2, 3), smaller = SmallerBake.Of(whole, 70, out _);
