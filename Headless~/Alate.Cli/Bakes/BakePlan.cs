@@ -11,6 +11,9 @@ internal sealed record BakePlan
     public InsectDefinition Species { get; init; }
     public InsectVariant Variant { get; init; }
     public IReadOnlyList<BakeMotion> Motions { get; init; } = [BakeMotion.Find("cruise")];
+
+    /// <summary>Clips of <see cref="PlayedClips"/>.</summary>
+    public IReadOnlyList<string> Played { get; init; } = [];
     public BakeFormat Format { get; init; }
     public int Frames { get; init; } = BakeSettings.DefaultFrames;
 
@@ -57,11 +60,20 @@ internal sealed record BakePlan
     /// <param name="smallerError">What the wings lose by the smaller mesh, wing lengths.</param>
     public InsectBake Bake(out float smallerError)
     {
+        bool isPlayedAlone = Motions.Count == 0 && Played.Count > 0;
+        InsectBake bake = Loops(isPlayedAlone ? [BakeMotion.Find("rest")] : Motions, out smallerError);
+        if (Played.Count > 0)
+            bake.Clips = [.. isPlayedAlone ? [] : bake.Clips, .. PlayedClips.Play(Catalogued, bake, Played, Frames, BeatsPerSecond)];
+        return bake;
+    }
+
+    private InsectBake Loops(IReadOnlyList<BakeMotion> motions, out float smallerError)
+    {
         smallerError = 0f;
         InsectWings insect = MeshFile == null ? Catalogued() : OwnInsect.Create(Species, Variant, MeshFile, OwnWing);
         try
         {
-            InsectBake bake = InsectBaker.Bake(insect, Motions, new BakeSettings(Frames));
+            InsectBake bake = InsectBaker.Bake(insect, motions, new BakeSettings(Frames));
             if (BeatsPerSecond is double beats)
             {
                 foreach (BakedClip clip in bake.Clips.Where(clip => clip.Frames.Count > 1))

@@ -72,9 +72,16 @@ internal static class BakeReport
         yield return ["clip", "frames", "loop Hz", "between frames %", "normals °", "loop end %", "linear skin %"];
         foreach (BakedClip clip in bake.Clips)
         {
+            string frames = clip.Frames.Count.ToString(CultureInfo.InvariantCulture);
+            if (clip.Path != null)
+            {
+                yield return [clip.Name, frames, $"once, {Number(1f / clip.Frequency)} s", "", "", "", ""];
+                continue;
+            }
+
             yield return
             [
-                clip.Name, clip.Frames.Count.ToString(CultureInfo.InvariantCulture), Number(clip.Frequency),
+                clip.Name, frames, Number(clip.Frequency),
                 Number(100f * clip.Error.between),
                 Number(clip.Error.normalBetween), Number(100f * clip.Error.closure), Number(100f * clip.Error.linearSkin),
             ];

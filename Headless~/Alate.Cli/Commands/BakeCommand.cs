@@ -9,6 +9,8 @@ internal static class BakeCommand
     private const int k_MostTriangles = 1000000;
     private const double k_LeastBeats = 0.01, k_MostBeats = 1000, k_MostFps = 1000;
 
+    private static readonly string[] s_Clips = [.. BakeMotion.Names, .. PlayedClips.Names];
+
     public static Command Create(TextWriter output)
     {
         var species = new Argument<string>("SPECIES")
@@ -32,7 +34,7 @@ internal static class BakeCommand
         {
             HelpName = "NAMES",
             DefaultValueFactory = _ => "cruise",
-            Description = $"What to bake, joined by commas: {string.Join(", ", BakeMotion.Names)}.",
+            Description = $"What to bake, joined by commas: {string.Join(", ", s_Clips)}.",
         };
         Option<BakeFormat?> format = Choice.Optional<BakeFormat>("--format", "What to write. [default: openvat]", new()
         {
@@ -76,13 +78,16 @@ internal static class BakeCommand
             string meshFile = parsed.GetValue(mesh), skeletonFile = parsed.GetValue(skeleton);
             InsectDefinition definition = KnownSpecies.Find(
                 NameOf(parsed.GetValue(species), parsed.GetValue(preset), meshFile, skeletonFile), chosen);
+            List<string> named = Clips(parsed.GetValue(clips));
+            CheckPlayed(named.Find(PlayedClips.Names.Contains), chosen, parsed.GetValue(format), meshFile);
             string name = meshFile == null ? definition.Name : Path.GetFileNameWithoutExtension(meshFile);
             BakeReport.Run(
                 new BakePlan
                 {
                     Species = definition,
                     Variant = chosen,
-                    Motions = Motions(parsed.GetValue(clips)),
+                    Motions = [.. named.Where(clip => !PlayedClips.Names.Contains(clip)).Select(BakeMotion.Find)],
+                    Played = [.. named.Where(PlayedClips.Names.Contains)],
                     Format = parsed.GetValue(format) ?? BakeFormat.OpenVat,
                     Frames = Frames(parsed.GetValue(frames), parsed.GetValue(fps), parsed.GetValue(beats)),
                     BeatsPerSecond = parsed.GetValue(beats),
@@ -123,16 +128,35 @@ internal static class BakeCommand
             : BakePlan.FramesOf(fps.Value, beats.Value);
     }
 
-    private static List<BakeMotion> Motions(string names)
+    private static List<string> Clips(string names)
     {
-        try
+        List<string> named = [];
+        foreach (string name in names.Split(',', StringSplitOptions.TrimEntries | StringSplitOptions.RemoveEmptyEntries))
         {
-            return names.Split(',', StringSplitOptions.TrimEntries | StringSplitOptions.RemoveEmptyEntries)
-                .Select(BakeMotion.Find).ToList();
+            string known = Array.Find(s_Clips, clip => clip.Equals(name, StringComparison.OrdinalIgnoreCase))
+                ?? throw new UserException($"There is no clip '{name}'. Known: {string.Join(", ", s_Clips)}.");
+            if (named.Contains(known))
+                throw new UserException($"Clip '{known}' is asked for twice.");
+            named.Add(known);
         }
-        catch (ArgumentException problem)
+
+        return named.Count > 0 ? named : throw new UserException($"No clip is asked for. Known: {string.Join(", ", s_Clips)}.");
+    }
+
+    private static void CheckPlayed(string clip, InsectVariant variant, BakeFormat? format, string mesh)
+    {
+        if (clip == null)
+            return;
+        if (mesh != null || variant != InsectVariant.Flight)
         {
-            throw new UserException(problem.Message);
+            throw new UserException(
+                $"Clip '{clip}' is played by an insect that flies by its own wings: add --variant flight, and no --mesh.");
+        }
+
+        if (format is not (BakeFormat.GltfSkin or BakeFormat.Usd))
+        {
+            throw new UserException(
+                $"Clip '{clip}' goes from one place to another: add --format gltf-skin or --format usd, whose joints move.");
         }
     }
 
@@ -144,6 +168,7 @@ internal static class BakeCommand
         + "  bake monarch --format gltf-skin --fps 24 --beats-per-second 2\n"
         + "  bake dragonfly --format usd --clips cruise,hover\n"
         + "  bake monarch --variant flight --clips hover,climb,turn-left\n"
+        + "  bake monarch --variant flight --format gltf-skin --clips cruise,land,take-off --fps 24 --beats-per-second 2\n"
         + "  bake --mesh wing.obj --skeleton wing.json --species firefly\n\n"
         + "Writes into the output folder:\n"
         + "  openvat     SPECIES_vat/ with SPECIES.png, SPECIES-vnrm.png, SPECIES-remap_info.json and SPECIES.glb\n"

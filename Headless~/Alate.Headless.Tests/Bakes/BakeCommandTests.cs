@@ -10,10 +10,10 @@ namespace Alate.Tests.Bakes
     public sealed class BakeCommandTests
     {
         [TestCase("monarch --clips cruise,dive",
-            "There is no clip 'dive'. Known: cruise, hover, climb, turn-left, turn-right, glide, rest, folded, bask.")]
+            "There is no clip 'dive'. Known: cruise, hover, climb, turn-left, turn-right, glide, rest, folded, bask, land, take-off.")]
         [TestCase("monarch --clips cruise,Cruise", "Clip 'cruise' is asked for twice.")]
         [TestCase("monarch --clips ,",
-            "No clip is asked for. Known: cruise, hover, climb, turn-left, turn-right, glide, rest, folded, bask.")]
+            "No clip is asked for. Known: cruise, hover, climb, turn-left, turn-right, glide, rest, folded, bask, land, take-off.")]
         [TestCase("monarch --format fbx", "--format takes openvat, gltf-skin, gltf-morph or usd, not 'fbx'.")]
         [TestCase("dodo", "Unknown species 'dodo'.")]
         [TestCase("monarch --variant biological", "There is no biological monarch.")]

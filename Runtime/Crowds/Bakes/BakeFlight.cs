@@ -199,20 +199,10 @@ namespace Alate.Crowds
                     frame.Normals[targets[k]] = drawn.Normals.Apply(skinned[k].normal);
                 }
 
-                CaptureJoints(m_World.Read(m_Handles[w]), drawn, m_Wings[w], frame);
+                drawn.Write(m_World.Read(m_Handles[w]), m_Wings[w], frame);
             }
 
             return frame;
-        }
-
-        private static void CaptureJoints(in WingReading reading, DrawnWing drawn, BakedWing wing, BakedFrame frame)
-        {
-            for (int joint = 0; joint < wing.RestJoints.Length; joint++)
-            {
-                int chain = joint / wing.JointsPerChain, along = joint % wing.JointsPerChain;
-                frame.Joints[wing.FirstJoint + joint] = new BakedJoint(
-                    drawn.PointOf(reading.JointPosition(chain, along)), drawn.RotationOf(reading.JointRotation(chain, along)));
-            }
         }
 
         private int WingJoints

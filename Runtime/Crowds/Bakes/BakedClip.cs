@@ -36,6 +36,15 @@ namespace Alate.Crowds
         /// <summary>[frame] The insect at phase frame / number of frames.</summary>
         public IReadOnlyList<BakedFrame> Frames { get; internal set; }
 
+        /// <summary>
+        /// [frame] Place and rotation of an insect that goes from one place to another, units of its space; null for a loop, in which it is
+        /// held.
+        /// </summary>
+        internal IReadOnlyList<BakedJoint> Path { get; set; }
+
+        /// <summary>Keys of its animation: a loop ends with its first frame again.</summary>
+        internal int KeyCount => Path == null ? Frames.Count + 1 : Frames.Count;
+
         /// <summary>Differences of the bake from the flown wings.</summary>
         public BakeError Error { get; internal set; }
 

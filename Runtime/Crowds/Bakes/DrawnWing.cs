@@ -36,6 +36,20 @@ namespace Alate.Crowds
         /// <summary>Turns normals of the mesh to the insect's space.</summary>
         public NormalTransform Normals { get; }
 
+        /// <summary>Writes the joints of a wing as it is now.</summary>
+        /// <param name="reading">Its state.</param>
+        /// <param name="wing">Its joints among those of the frame.</param>
+        /// <param name="frame">Where to.</param>
+        public void Write(in WingReading reading, BakedWing wing, BakedFrame frame)
+        {
+            for (int joint = 0; joint < wing.RestJoints.Length; joint++)
+            {
+                int chain = joint / wing.JointsPerChain, along = joint % wing.JointsPerChain;
+                frame.Joints[wing.FirstJoint + joint] = new BakedJoint(
+                    PointOf(reading.JointPosition(chain, along)), RotationOf(reading.JointRotation(chain, along)));
+            }
+        }
+
         /// <summary>A point of the wing frame in the insect's space.</summary>
         public float3 PointOf(float3 wing) => ToInsect.MultiplyPoint3x4(Rig.Frame.ToMesh(wing));
 

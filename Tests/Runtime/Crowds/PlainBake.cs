@@ -7,7 +7,8 @@ using UnityEngine;
 namespace Alate.Tests.Crowds
 {
     /// <summary>
-    /// A bake made by hand: two plane wings along X with one fold each, and a small body between that is an abdomen; every number of every vertex differs.
+    /// A bake made by hand: two plane wings along X with one fold each, and a small body between that is an abdomen; every number of every
+    /// vertex differs.
     /// </summary>
     internal static class PlainBake
     {

@@ -78,9 +78,9 @@ internal sealed class BakeScene
     /// <summary>Adds a node with a mesh.</summary>
     public int AddMeshNode(JsonObject mesh) => m_File.AddNode(m_Bake.Name, mesh);
 
-    /// <summary>Times of the frames of a clip, and of its first again, seconds.</summary>
-    public int Times(BakedClip clip, int count) =>
-        Buffer.AddScalars(Enumerable.Range(0, count + 1).Select(key => key / (clip.Frequency * count)).ToArray());
+    /// <summary>Times of the keys of a clip, seconds.</summary>
+    public int Times(BakedClip clip) => Buffer.AddScalars(
+        Enumerable.Range(0, clip.KeyCount).Select(key => key / (clip.Frequency * clip.Frames.Count)).ToArray());
 
     /// <summary>Writes the file.</summary>
     /// <param name="roots">Nodes of the scene.</param>

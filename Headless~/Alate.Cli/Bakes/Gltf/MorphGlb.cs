@@ -69,7 +69,7 @@ internal sealed class MorphGlb
         return new JsonObject
         {
             ["name"] = clip.Name,
-            ["samplers"] = new JsonArray(GlbScene.Sampler(m_Scene.Times(clip, frames), m_Scene.Buffer.AddScalars(weights))),
+            ["samplers"] = new JsonArray(GlbScene.Sampler(m_Scene.Times(clip), m_Scene.Buffer.AddScalars(weights))),
             ["channels"] = new JsonArray(GlbScene.Channel(0, node, "weights")),
         };
     }

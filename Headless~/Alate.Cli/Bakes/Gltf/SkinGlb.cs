@@ -84,21 +84,25 @@ internal sealed class SkinGlb
 
     private JsonObject Animation(BakedClip clip)
     {
-        int times = m_Scene.Times(clip, clip.Frames.Count);
+        int times = m_Scene.Times(clip);
         JsonArray samplers = [], channels = [];
         for (int joint = 0; joint < m_NodeOf.Length; joint++)
-        {
-            (List<float3> places, List<float4> turns) = m_Joints.Keys(clip, joint);
-            Add("translation", m_Scene.Buffer.AddVectors(places, isVertexData: false), joint);
-            Add("rotation", m_Scene.Buffer.AddQuadruples(turns), joint);
-        }
+            Move(m_NodeOf[joint], m_Joints.Keys(clip, joint));
+        if (clip.Path != null)
+            Move(m_Root, m_Joints.RootKeys(clip));
 
         return new JsonObject { ["name"] = clip.Name, ["samplers"] = samplers, ["channels"] = channels };
 
-        void Add(string path, int output, int joint)
+        void Move(int node, (List<float3> Places, List<float4> Turns) keys)
+        {
+            Add("translation", m_Scene.Buffer.AddVectors(keys.Places, isVertexData: false), node);
+            Add("rotation", m_Scene.Buffer.AddQuadruples(keys.Turns), node);
+        }
+
+        void Add(string path, int output, int node)
         {
             samplers.Add(GlbScene.Sampler(times, output));
-            channels.Add(GlbScene.Channel(samplers.Count - 1, m_NodeOf[joint], path));
+            channels.Add(GlbScene.Channel(samplers.Count - 1, node, path));
         }
     }
 }

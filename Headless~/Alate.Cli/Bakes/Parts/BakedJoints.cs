@@ -70,16 +70,21 @@ internal sealed class BakedJoints
     }
 
     /// <summary>
-    /// Places and rotations of a joint in each frame of a clip and in its first again, as seen from the joint before it, the shorter
-    /// way round.
+    /// Places and rotations of a joint in each key of a clip, as seen from the joint before it, the shorter way round.
     /// </summary>
-    public (List<float3> Places, List<float4> Turns) Keys(BakedClip clip, int joint)
+    public (List<float3> Places, List<float4> Turns) Keys(BakedClip clip, int joint) =>
+        Keys(Enumerable.Range(0, clip.KeyCount).Select(key => Local(clip.Frames[key % clip.Frames.Count], joint)));
+
+    /// <summary>Places and rotations of the root in each key of a clip in which the insect goes from one place to another.</summary>
+    public (List<float3> Places, List<float4> Turns) RootKeys(BakedClip clip) =>
+        Keys(clip.Path.Select(body => (Place(body.position), FileAxes.ToGltf(body.rotation))));
+
+    private static (List<float3> Places, List<float4> Turns) Keys(IEnumerable<(float3 Place, quaternion Turn)> poses)
     {
         List<float3> places = [];
         List<float4> turns = [];
-        for (int key = 0; key <= clip.Frames.Count; key++)
+        foreach ((float3 place, quaternion turn) in poses)
         {
-            (float3 place, quaternion turn) = Local(clip.Frames[key % clip.Frames.Count], joint);
             places.Add(place);
             turns.Add(turns.Count > 0 && math.dot(turns[^1], turn.value) < 0f ? -turn.value : turn.value);
         }

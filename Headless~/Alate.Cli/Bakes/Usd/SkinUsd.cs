@@ -78,16 +78,18 @@ internal sealed class SkinUsd
     {
         (List<float3> Places, List<float4> Turns)[] keys =
             [.. Enumerable.Range(0, m_Bake.JointCount).Select(joint => m_Joints.Keys(clip, joint))];
+        (List<float3> Places, List<float4> Turns)? root = clip.Path == null ? null : m_Joints.RootKeys(clip);
         IEnumerable<(double, string)> Samples(Func<int, string> at) =>
-            Enumerable.Range(0, clip.Frames.Count + 1).Select(key => (key * framesEach, at(key)));
+            Enumerable.Range(0, clip.KeyCount).Select(key => (key * framesEach, at(key)));
 
         m_Text.Begin("SkelAnimation", UsdaWriter.Name(clip.Name));
         m_Text.Set("uniform token[] joints", UsdaWriter.List(m_Paths, UsdaWriter.Text));
         m_Text.Samples("quatf[] rotations", Samples(key => UsdaWriter.List(
-            keys.Select(joint => new quaternion(joint.Turns[key])).Prepend(quaternion.identity), UsdaWriter.Tuple)));
+            keys.Select(joint => new quaternion(joint.Turns[key]))
+                .Prepend(root is { } turned ? new quaternion(turned.Turns[key]) : quaternion.identity), UsdaWriter.Tuple)));
         m_Text.Set("half3[] scales", UsdaWriter.List(m_Paths.Select(_ => new float3(1f)), UsdaWriter.Tuple));
         m_Text.Samples("float3[] translations", Samples(key => UsdaWriter.List(
-            keys.Select(joint => joint.Places[key]).Prepend(0f), UsdaWriter.Tuple)));
+            keys.Select(joint => joint.Places[key]).Prepend(root is { } moved ? moved.Places[key] : 0f), UsdaWriter.Tuple)));
         m_Text.End();
     }
 
@@ -114,9 +116,16 @@ internal sealed class SkinUsd
         m_Text.End();
     }
 
+    // Wherever it goes, its wings reach no farther from it than their length.
     private IEnumerable<float3> Reach()
     {
         UnityEngine.Bounds bounds = m_Bake.Bounds;
+        foreach (BakedJoint body in m_Bake.Clips.SelectMany(clip => clip.Path ?? []))
+        {
+            bounds.Encapsulate((UnityEngine.Vector3)(body.position - 2f * m_Bake.WingLength));
+            bounds.Encapsulate((UnityEngine.Vector3)(body.position + 2f * m_Bake.WingLength));
+        }
+
         yield return FileAxes.ToGltf(bounds.min) * m_Bake.MetresPerUnit;
         yield return FileAxes.ToGltf(bounds.max) * m_Bake.MetresPerUnit;
     }
