@@ -235,6 +235,8 @@ namespace Alate.Files
             }
 
             ObjMesh read = m_Files.Make(("body", mesh.Text), () => m_Files.ReadMesh(Beside(mesh), ObjReader.Read));
+            if (read.TriangleCount > WingFiles.MostTriangles)
+                throw mesh.Wrong(WingFiles.TooMany(mesh.Text, read).TrimEnd('.'));
             float unit = body[InsectKeys.MeshUnit] is { } said ? FileNumber.ToPreset(said.Text, 1m) : 1f;
             var origin = new Vector3((float)read.Origin.X, (float)read.Origin.Y, (float)read.Origin.Z);
             SurfaceMesh surface = read.ToSurface(m_Path);

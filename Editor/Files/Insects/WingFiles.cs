@@ -10,6 +10,9 @@ namespace Alate.Files
     /// <summary>Files of a wing of the user's own: its mesh at rest, its skeleton and a picture.</summary>
     internal sealed class WingFiles
     {
+        /// <summary>Most triangles of a mesh, those of the finest that is traced: larger ones take gigabytes.</summary>
+        public const int MostTriangles = WingTracingSettings.MaxTriangles;
+
         /// <param name="mesh">The mesh.</param>
         /// <param name="skeleton">Valid; in the space of the mesh.</param>
         /// <param name="picture">PNG or JPEG file for the mesh's texture coordinates; null for none.</param>
@@ -38,6 +41,8 @@ namespace Alate.Files
         public static WingFiles Read(string meshFile, string skeletonFile, string textureFile, FileSource files)
         {
             ObjMesh mesh = files.ReadMesh(meshFile, ObjReader.Read);
+            if (mesh.TriangleCount > MostTriangles)
+                throw new UserException($"{TooMany(meshFile, mesh)} 'insect new --triangles N' writes a smaller mesh.");
             WingSkeleton skeleton = files.ReadText(skeletonFile, reader => SkeletonJson.Read(reader.ReadToEnd(), mesh.Origin));
             List<SkeletonProblem> problems = skeleton.Validate();
             if (problems.Count > 0)
@@ -52,6 +57,10 @@ namespace Alate.Files
                 mesh = files.ReadMesh(meshFile, ObjReader.ReadTextured);
             return new WingFiles(mesh, skeleton, picture == null ? null : files.ReadPicture(picture));
         }
+
+        /// <summary>Sentence about a mesh of more triangles than <see cref="MostTriangles"/>.</summary>
+        public static string TooMany(string meshFile, ObjMesh mesh) =>
+            $"{meshFile} has {mesh.TriangleCount} triangles; at most {MostTriangles} are taken.";
 
         /// <summary>The wing as the catalogue has its shapes: a right wing, one unit long, its base at the origin.</summary>
         /// <param name="meshFile">For messages.</param>

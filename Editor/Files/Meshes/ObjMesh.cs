@@ -27,6 +27,9 @@ namespace Alate.Files
 
         public int[] Triangles { get; set; }
 
+        /// <summary>Number of triangles.</summary>
+        public int TriangleCount => Triangles.Length / 3;
+
         /// <summary>File of the materials as the mesh names it; null where it names none.</summary>
         public string Library { get; set; }
 

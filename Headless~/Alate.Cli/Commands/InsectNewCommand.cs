@@ -1,4 +1,5 @@
 using System.CommandLine;
+using Alate.Authoring;
 
 namespace Alate.Cli;
 
@@ -53,6 +54,10 @@ internal static class InsectNewCommand
             AllowMultipleArgumentsPerToken = true,
             Arity = new ArgumentArity(1, 2),
         };
+        Option<int?> triangles = Numbers.OptionalCount(
+            "--triangles", "N", WingTracingSettings.MinTriangles, WingFiles.MostTriangles,
+            "Triangles of the mesh that is made of a picture; a mesh of more is written with fewer. [default: 1000 of a picture, all of a "
+            + "mesh]");
         var lengths = new Option<string[]>("--length")
         {
             HelpName = "LENGTH",
@@ -87,7 +92,7 @@ internal static class InsectNewCommand
         var name = new Option<string>("--name") { HelpName = "NAME", Description = "Name of the insect. [default: that of DIR]" };
         var command = new Command("new", "Makes an insect file, with meshes, skeletons and textures, from pictures or meshes of its wings.")
         {
-            folder, wings, hinges, sides, lengths, mass, frequency, like, body, unit, name,
+            folder, wings, hinges, sides, triangles, lengths, mass, frequency, like, body, unit, name,
         };
         HelpExamples.Set(command, k_Examples);
         command.SetAction(parsed =>
@@ -119,7 +124,8 @@ internal static class InsectNewCommand
             {
                 BodyMesh = BodyOf(parsed.GetValue(body), parsed.GetValue(unit)),
             };
-            WingSource[] sources = WingSource.Read(files, parsed.GetValue(hinges) ?? [], parsed.GetValue(sides) ?? []);
+            WingSource[] sources = WingSource.Read(
+                files, parsed.GetValue(hinges) ?? [], parsed.GetValue(sides) ?? [], parsed.GetValue(triangles));
             Make(insect, sources, millimetres, isGiven, path, output);
             return 0;
         });

@@ -27,34 +27,48 @@ internal sealed record FittedWing : FoundWing
     /// <summary>Lays a skeleton into the mesh of a file.</summary>
     /// <param name="file">OBJ or GLB.</param>
     /// <param name="hinge">Where the wing turns, in the file's space; null to find it.</param>
+    /// <param name="triangles">Most triangles: a mesh of more is made smaller; null keeps all.</param>
     /// <exception cref="UserException">The file cannot be read, or no skeleton fits.</exception>
-    public static FittedWing Of(string file, double[] hinge)
+    public static FittedWing Of(string file, double[] hinge, int? triangles)
     {
         if (GlbMesh.IsNamed(file))
-            return OfGlb(file, hinge);
+            return OfGlb(file, hinge, triangles);
         ObjMesh mesh = TextFile.Read(file, ObjReader.Read, InputFile.Mesh);
         string picture = mesh.Uvs == null ? null : ObjMaterial.FindPicture(file, mesh.Library, InputFiles.Instance);
-        return Of(file, mesh, null, picture == null ? null : PictureFile.Read(picture), hinge);
+        return Of(file, mesh, null, picture == null ? null : PictureFile.Read(picture), hinge, triangles);
     }
 
     // As the OBJ file that is written of it.
-    private static FittedWing OfGlb(string file, double[] hinge)
+    private static FittedWing OfGlb(string file, double[] hinge, int? triangles)
     {
         var glb = GlbMesh.Read(file);
         byte[] obj = glb.ToObj();
-        ObjMesh mesh;
-        using (var text = new StreamReader(new MemoryStream(obj)))
-            mesh = ObjReader.Read(text);
-        return Of(file, mesh, obj, mesh.Uvs == null || glb.Picture == null ? null : PictureFile.Within(file, glb.Picture), hinge);
+        ObjMesh mesh = Parsed(obj);
+        PictureFile picture = mesh.Uvs == null || glb.Picture == null ? null : PictureFile.Within(file, glb.Picture);
+        return Of(file, mesh, obj, picture, hinge, triangles);
     }
 
-    private static FittedWing Of(string file, ObjMesh mesh, byte[] obj, PictureFile picture, double[] hinge)
+    private static FittedWing Of(string file, ObjMesh mesh, byte[] obj, PictureFile picture, double[] hinge, int? triangles)
     {
         SkeletonFitSettings settings = SkeletonFitSettings.Default;
         settings.isOriginUnknown = mesh.Origin != default;
         settings.hinge = mesh.Placed(hinge);
+        if (mesh.TriangleCount > (triangles ?? WingFiles.MostTriangles))
+        {
+            obj = SmallerMesh.Of(mesh, triangles
+                ?? throw new UserException(
+                    $"{WingFiles.TooMany(file, mesh)} --triangles N writes a smaller mesh; 5000 show all of most wings."));
+            mesh = Parsed(obj);
+        }
+
         SurfaceMesh surface = mesh.ToSurface(file);
         return new FittedWing(file, mesh, obj, surface, Fit(surface, settings), picture);
+    }
+
+    private static ObjMesh Parsed(byte[] obj)
+    {
+        using var text = new StreamReader(new MemoryStream(obj));
+        return ObjReader.Read(text);
     }
 
     /// <summary>Lays a skeleton into a mesh.</summary>

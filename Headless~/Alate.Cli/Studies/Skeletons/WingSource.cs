@@ -9,7 +9,8 @@ namespace Alate.Cli;
 /// Where the wing turns: pixels from the picture's top left corner, or three numbers in the space of the mesh; null to find it.
 /// </param>
 /// <param name="Leading">The leading edge's side of a picture, y down; null to find it.</param>
-internal sealed record WingSource(string File, double[] Hinge = null, Vector2? Leading = null)
+/// <param name="Triangles">Triangles of the mesh of a picture, most of another one; null for a thousand, and for all.</param>
+internal sealed record WingSource(string File, double[] Hinge = null, Vector2? Leading = null, int? Triangles = null)
 {
     /// <summary>Word for what is to be found.</summary>
     private const string k_Auto = "auto";
@@ -30,8 +31,9 @@ internal sealed record WingSource(string File, double[] Hinge = null, Vector2? L
     /// <param name="files">Of the wings, from front to back.</param>
     /// <param name="hinges">A place for each wing, or "auto"; fewer than wings for the first ones alone.</param>
     /// <param name="sides">Likewise, a side of the picture.</param>
+    /// <param name="triangles">Of each mesh; null for what they have.</param>
     /// <exception cref="UserException">There are more than wings, or one is no place or side.</exception>
-    public static WingSource[] Read(string[] files, string[] hinges, string[] sides)
+    public static WingSource[] Read(string[] files, string[] hinges, string[] sides, int? triangles)
     {
         foreach ((string option, int count) in new[] { ("--hinge", hinges.Length), ("--leading", sides.Length) })
         {
@@ -39,7 +41,7 @@ internal sealed record WingSource(string File, double[] Hinge = null, Vector2? L
                 throw new UserException($"{option} takes one for each wing: {files.Length}, not {count}.");
         }
 
-        WingSource[] sources = Array.ConvertAll(files, file => new WingSource(file));
+        WingSource[] sources = Array.ConvertAll(files, file => new WingSource(file, Triangles: triangles));
         for (int k = 0; k < hinges.Length; k++)
             sources[k] = hinges[k] == k_Auto ? sources[k] : sources[k] with { Hinge = PlaceOf(hinges[k], sources[k]) };
         for (int k = 0; k < sides.Length; k++)
@@ -52,8 +54,9 @@ internal sealed record WingSource(string File, double[] Hinge = null, Vector2? L
     public FoundWing Find()
     {
         if (IsMesh)
-            return FittedWing.Of(File, Hinge);
+            return FittedWing.Of(File, Hinge, Triangles);
         WingTracingSettings settings = WingTracingSettings.Default;
+        settings.triangles = Triangles ?? settings.triangles;
         settings.hinge = Hinge == null ? null : new Vector2((float)Hinge[0], (float)Hinge[1]);
         settings.forward = Leading;
         return TracedWing.Of(File, settings);
