@@ -104,15 +104,34 @@ internal static class StudyCommand
         var options = new FlyOptions();
         var command = new Command("fly");
         options.AddTo(command);
+        var free = new FreeOptions();
+        free.AddTo(command);
         System.CommandLine.ParseResult parsed = command.Parse(
             [.. file.Options], new ParserConfiguration { ResponseFileTokenReplacer = null });
         if (UsageProblem.Find(parsed) is string problem)
             throw new UserException($"{path}: {StudyKeys.Options}: {problem}");
         if (parsed.GetResult(options.Out) is { Implicit: false })
             throw new UserException($"{path}: {StudyKeys.Options}: {options.Out.Name} is an option of 'study' itself.");
-        FlightPlan flight = options.Plan(parsed, insect.Name, insect);
-        KnownSpecies.With(insect, flight.Variant);
+        StudyFlight flight;
+        try
+        {
+            flight = free.IsFree(parsed) ? Free() : new SpotStudy(options.Plan(parsed, insect.Name, insect));
+            KnownSpecies.With(insect, flight.Variant);
+        }
+        catch (UserException wrong)
+        {
+            throw new UserException($"{path}: {StudyKeys.Options}: {wrong.Message}");
+        }
+
+        if (flight is FreeStudy { Repeats: > 1 } several && several.Plan.Pilot != FreePilot.Wander)
+            throw new UserException($"{path}: {StudyKeys.Repeats}: flights without --pilot wander are the same each time.");
         return new StudyPlan(file, flight);
+
+        FreeStudy Free()
+        {
+            options.CheckFree(parsed);
+            return new FreeStudy(free.PlanOfStudy(parsed, insect, options.Seconds(parsed)), file.Repeats);
+        }
     }
 
     private static StudyShard? Shard(string text)
@@ -187,7 +206,7 @@ internal static class StudyCommand
     private static void Show(StudyResult result, Terminal terminal, string given, List<string> names)
     {
         StudyFile file = result.Plan.File;
-        string heading = FormattableString.Invariant($"{result.Plan.Flight.Definition.DisplayName}: {result.Plan.Points.Length} runs");
+        string heading = FormattableString.Invariant($"{result.Plan.Flight.Insect.DisplayName}: {result.Plan.Points.Length} runs");
         terminal.ShowTable(heading, Ranges(result));
         if (result.Sensitivities != null)
             terminal.ShowTable("Shares of the variance", StudyTables.Sensitivities(result), names: 2);

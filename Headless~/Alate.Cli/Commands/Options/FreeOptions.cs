@@ -100,6 +100,13 @@ internal sealed class FreeOptions
         };
     }
 
+    /// <summary>Makes the plan of a flight that a study flies with other numbers.</summary>
+    /// <exception cref="UserException">Options that exclude or need each other, a replay or a recording.</exception>
+    public FreePlan PlanOfStudy(ParseResult parsed, InsectDefinition insect, double? seconds) =>
+        ((Option[])[m_Record, m_Replay]).FirstOrDefault(option => IsGiven(parsed, option)) is { } given
+            ? throw new UserException($"A study takes no {given.Name}.")
+            : Plan(parsed, insect.Name, seconds, null, insect);
+
     private FreePlan PlanReplay(
         ParseResult parsed, string file, string species, double? seconds, string folder, InsectDefinition flown)
     {

@@ -20,6 +20,9 @@ internal sealed record FreeRecord(
     /// <summary>[moment][wing] Powers.</summary>
     public IReadOnlyList<WingPower[]> Powers { get; init; } = [];
 
+    /// <summary>Mean powers of all wings.</summary>
+    public WingPower MeanPower => WingPower.Mean(Powers.SelectMany(wings => wings), Moments.Count);
+
     /// <summary>Velocity off that which the insect followed, root mean square, m/s; bob and all.</summary>
     public double VelocityError => System.Math.Sqrt(Moments.Average(at => math.lengthsq(at.Velocity - at.Wanted)));
 

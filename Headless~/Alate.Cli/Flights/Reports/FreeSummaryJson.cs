@@ -17,7 +17,7 @@ internal static class FreeSummaryJson
         Number(json, "velocity_error_m_s", record.VelocityError);
         Number(json, "lift_over_weight", record.Moments.Average(at => at.Force.y) / record.Weight);
         Number(json, "upstroke_share", record.UpstrokeShare);
-        var mean = WingPower.Mean(record.Powers.SelectMany(wings => wings), record.Moments.Count);
+        WingPower mean = record.MeanPower;
         Number(json, "power_w", mean.Air);
         Number(json, "positive_power_w", mean.Positive);
         Number(json, "negative_power_w", mean.Negative);

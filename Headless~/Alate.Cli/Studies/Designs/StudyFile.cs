@@ -26,7 +26,11 @@ internal sealed class StudyFile
             one => Parameters.Count(other => other.Key == one[StudyKeys.Key].Text) > 1);
         if (twice != null)
             throw twice.Wrong($"'{twice[StudyKeys.Key].Text}' is changed twice");
-        Measures = root[StudyKeys.Measures]?.Items.Select(measure => measure.Text).Distinct().ToList() ?? StudyMeasure.Usual;
+        Measures = root[StudyKeys.Measures]?.Items.Select(measure => measure.Text).Distinct().ToList()
+            ?? (IsFree ? FreeStudy.Usual : SpotStudy.Usual);
+        Repeats = (int)(Number(root[StudyKeys.Repeats]) ?? 1);
+        if (Repeats > 1 && !IsFree)
+            throw root[StudyKeys.Repeats].Wrong("a flight on the spot is the same each time; '--free' in the options flies freely");
         Most = root[StudyKeys.Best]?[StudyKeys.Most].Text;
         Least = root[StudyKeys.Best]?[StudyKeys.Least].Text;
         Goal = GoalOf(root);
@@ -46,6 +50,12 @@ internal sealed class StudyFile
 
     /// <summary>One of <see cref="StudyDesign.Names"/>.</summary>
     public string Design { get; }
+
+    /// <summary>True where the flights are free, false where they are on the spot.</summary>
+    public bool IsFree => Options.Contains("--free");
+
+    /// <summary>Flights of a run.</summary>
+    public int Repeats { get; }
 
     /// <summary>Points of a design other than a grid.</summary>
     public int Count { get; }
@@ -118,16 +128,16 @@ internal sealed class StudyFile
     private StudyParameter Parameter(JsonPlace place)
     {
         string key = place[StudyKeys.Key].Text;
-        if (!key.StartsWith(StudyParameter.OfInsect, StringComparison.Ordinal)
-            && StudyParameter.OfFlight.All(number => number.Name != key))
+        IEnumerable<string> known = IsFree ? FreeStudy.Changeable : SpotStudy.Changeable.Select(number => number.Name);
+        if (!key.StartsWith(StudyParameter.OfInsect, StringComparison.Ordinal) && !known.Contains(key))
         {
-            throw place[StudyKeys.Key].Wrong($"there is no number {Quote.Of(key)} of the flight. Known: "
-                + $"{string.Join(", ", StudyParameter.OfFlight.Select(number => number.Name))}; "
-                + "those of the insect begin with 'insect.'");
+            throw place[StudyKeys.Key].Wrong($"there is no number {Quote.Of(key)} of {(IsFree ? "a free" : "the")} flight. Known: "
+                + $"{string.Join(", ", known)}; those of the insect begin with 'insect.'");
         }
 
         bool isLogarithmic = place[StudyKeys.Scale]?.Text == StudyKeys.Logarithmic,
-            isWhole = place[StudyKeys.Whole]?.Kind == JsonKind.True || key == FlightNumbers.Substeps.Name;
+            isWhole = place[StudyKeys.Whole]?.Kind == JsonKind.True || key == FlightNumbers.Substeps.Name
+                || key == FlightNumbers.Seed.Name;
         if (place[StudyKeys.Values] is { } listed)
         {
             JsonPlace other = new[] { StudyKeys.From, StudyKeys.To, StudyKeys.Steps, StudyKeys.Scale }.Select(word => place[word])

@@ -12,7 +12,8 @@ internal static class StudyKeys
     public const string SchemaKey = "$schema", VersionKey = "version", Insect = "insect", Options = "options", Design = "design",
         Count = "count", Seed = "seed", Parameters = "parameters", Key = "key", From = "from", To = "to", Steps = "steps",
         Values = "values", Scale = "scale", Whole = "whole", Measures = "measures", Best = "best", Most = "most", Least = "least",
-        Linear = "linear", Logarithmic = "logarithmic", Goal = "goal", Where = "where", Measure = "measure";
+        Linear = "linear", Logarithmic = "logarithmic", Goal = "goal", Where = "where", Measure = "measure",
+        Repeats = "repeats";
 
     private static readonly NumberShape s_Number = new(-1e9m, 1e9m, "");
 
@@ -21,7 +22,8 @@ internal static class StudyKeys
         "parameter",
         new FileKey(
             Key, new TextShape("a number of the flight, such as 'pitch', or of the insect, such as 'insect.beat.frequencyHertz'", 200),
-            "What is changed: a number of the flight (" + string.Join(", ", StudyParameter.OfFlight.Select(number => number.Name))
+            "What is changed: a number of the flight (" + string.Join(", ", SpotStudy.Changeable.Select(number => number.Name))
+            + "), of a free one (" + string.Join(", ", FreeStudy.Changeable)
             + "), or `insect.` and the path of a number in the insect file.")
         {
             IsNeeded = true,
@@ -67,7 +69,7 @@ internal static class StudyKeys
         new FileKey(Insect, new TextShape("a species, or the path of an insect file from the folder of this file", 400),
             "The insect: a species of the catalogue, or an insect file.") { IsNeeded = true },
         new FileKey(Options, new ListShape(new TextShape("a word of the command line", 400), 0, 100, "a list of up to 100 words"),
-            "Options of `fly` for every run, a word each, such as `\"--speed\", \"0\"`."),
+            "Options of `fly` for every run, a word each, such as `\"--speed\", \"0\"`. With `\"--free\"` the insect flies freely."),
         new FileKey(Design, new ChoiceShape([.. StudyDesign.Names]),
             "How the values are chosen: `grid` takes each value with each; `latin-hypercube`, `sobol` and `saltelli` take `count` points, "
             + "the last so that sensitivities follow; `search` looks for the best run by `goal`. Grid without it."),
@@ -76,11 +78,15 @@ internal static class StudyKeys
             + "it."),
         new FileKey(Seed, new NumberShape(1, 2147483647, "", isWhole: true),
             "Seed of the Latin hypercube and of the search; 1 without it."),
+        new FileKey(Repeats, new NumberShape(1, 1000, "", isWhole: true),
+            "Free flights of each run, with one seed after the other; measures are their means, and with `_sd`, `_least` and "
+            + "`_most` behind their names their spread. 1 without it."),
         new FileKey(Parameters, new ListShape(Parameter, 1, MostParameters, $"a list of 1 to {MostParameters} parameters"),
             "What is changed.") { IsNeeded = true },
         new FileKey(Measures, new ListShape(new TextShape("a measure", 100), 1, 100, "a list of 1 to 100 measures"),
             "What is measured of each run: names of summary.json, of another wing than the first as `hind wing.twist_pp_deg`. Without it "
-            + "lift_over_weight, positive_power_w, twist_pp_deg and edge_stretch_max_pct."),
+            + "lift_over_weight, positive_power_w, twist_pp_deg and edge_stretch_max_pct; of free flights tumble_s, lowest_m, "
+            + "velocity_error_m_s and positive_power_w."),
         new FileKey(Goal, s_Goal, "What a search looks for."),
         new FileKey(Best, s_Best, "Two measures whose best compromises, the Pareto front, are marked and drawn."),
     ]);

@@ -1,15 +1,11 @@
 namespace Alate.Cli;
 
-/// <summary>A number that a study takes of each run.</summary>
+/// <summary>A number that a study takes of each flight on the spot.</summary>
 /// <param name="Name">As summary.json has it; before a point the wing that it is of.</param>
 /// <param name="Title">Its name and unit for charts.</param>
 /// <param name="Of">Reads it.</param>
 internal sealed record StudyMeasure(string Name, string Title, Func<FlightSummary, double> Of)
 {
-    /// <summary>Those of a study that names none.</summary>
-    public static IReadOnlyList<string> Usual { get; } =
-        ["lift_over_weight", "positive_power_w", "twist_pp_deg", "edge_stretch_max_pct"];
-
     private static readonly StudyMeasure[] s_OfFlight =
     [
         new("lift_over_weight", "lift over weight", summary => summary.LiftOverWeight),

@@ -13,13 +13,6 @@ internal sealed record StudyParameter(
     /// <summary>Beginning of the key of an insect's number.</summary>
     public const string OfInsect = "insect.";
 
-    /// <summary>Numbers of a flight on the spot.</summary>
-    public static IReadOnlyList<FlightNumber> OfFlight { get; } =
-    [
-        FlightNumbers.Speed, FlightNumbers.Climb, FlightNumbers.Pitch, FlightNumbers.Wind, FlightNumbers.Lag, FlightNumbers.Elasticity,
-        FlightNumbers.Amplitude, FlightNumbers.Frequency, FlightNumbers.Substeps,
-    ];
-
     /// <summary>True for a number of the insect.</summary>
     public bool IsOfInsect => Key.StartsWith(OfInsect, StringComparison.Ordinal);
 
@@ -32,17 +25,6 @@ internal sealed record StudyParameter(
     {
         double value = IsLogarithmic ? From * Math.Pow(To / From, share) : From + (To - From) * share;
         return IsWhole ? Math.Round(value) : Rounded(value);
-    }
-
-    /// <summary>Gives a flight the value of a number of its own.</summary>
-    /// <exception cref="UserException">It is out of range.</exception>
-    public FlightPlan In(FlightPlan plan, double value)
-    {
-        FlightNumber number = OfFlight.First(known => known.Name == Key);
-        return value >= number.Min && value <= number.Max
-            ? number.In(plan, value)
-            : throw new UserException(FormattableString.Invariant(
-                $"'{Key}' must lie between {number.Min} and {number.Max}; it is {value}."));
     }
 
     /// <summary>Gives an insect file the value, also where a variant has one of its own.</summary>

@@ -18,7 +18,7 @@ internal static class StudyPictures
     {
         StudyFile file = result.Plan.File;
         int all = file.Measures.Count * file.Parameters.Count;
-        var sheet = new ChartSheet($"{result.Plan.Flight.Definition.DisplayName}: what changes what",
+        var sheet = new ChartSheet($"{result.Plan.Flight.Insect.DisplayName}: what changes what",
             "A dot is a run. The line is the mean over a tenth of the range of a parameter, or at each value of a grid."
             + (all > k_MostCharts ? FormattableString.Invariant($" The first {k_MostCharts} of {all} charts.") : ""));
         int charts = 0;
@@ -77,7 +77,7 @@ internal static class StudyPictures
     private static SvgPage Page(StudyResult result, string title, string caption)
     {
         var page = new SvgPage();
-        page.Text(ChartSheet.Edge, 38f, 22f, $"{result.Plan.Flight.Definition.DisplayName}: {title}", look: "b");
+        page.Text(ChartSheet.Edge, 38f, 22f, $"{result.Plan.Flight.Insect.DisplayName}: {title}", look: "b");
         page.Text(ChartSheet.Edge, 60f, 13f, caption, look: "t");
         return page;
     }
@@ -86,7 +86,7 @@ internal static class StudyPictures
         page, title, ChartAxis.Around(across), ChartAxis.Around(up), 12f, k_Top, new float2(k_Width - ChartSheet.Edge, k_Height));
 
     private static string Title(StudyResult result, string measure) =>
-        StudyMeasure.Find(measure, result.Plan.Flight.Definition).Title;
+        result.Plan.Flight.TitleOf(measure);
 
     private static string Short(string name) => name.StartsWith(StudyParameter.OfInsect, StringComparison.Ordinal)
         ? name[(name.LastIndexOf('.') + 1)..]

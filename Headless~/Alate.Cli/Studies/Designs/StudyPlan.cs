@@ -14,13 +14,18 @@ internal sealed class StudyPlan
     /// <param name="file">What it says.</param>
     /// <param name="flight">The flight of its options.</param>
     /// <exception cref="UserException">A parameter or a measure does not exist, or an end of a parameter is out of range.</exception>
-    public StudyPlan(StudyFile file, FlightPlan flight)
+    public StudyPlan(StudyFile file, StudyFlight flight)
     {
         File = file;
         Flight = flight;
-        m_InsectText = InsectFileText.Write(flight.Definition);
+        m_InsectText = InsectFileText.Write(flight.Insect);
         m_Insect = JsonPlace.Read(new StringReader(m_InsectText));
-        Measures = file.Measures.Select(name => StudyMeasure.Find(name, flight.Definition) ?? throw Unknown(name)).ToList();
+        if (file.Measures.FirstOrDefault(name => flight.TitleOf(name) == null) is { } unknown)
+        {
+            throw new UserException(
+                $"{file.Path}: there is no measure {Quote.Of(unknown)}. Known: {string.Join(", ", flight.Measures)}.");
+        }
+
         string missing = new[] { file.Most, file.Least }.Concat(file.Goal?.Measures ?? [])
             .FirstOrDefault(name => name != null && !file.Measures.Contains(name));
         if (missing != null)
@@ -37,19 +42,16 @@ internal sealed class StudyPlan
         Points = StudyDesign.Points(file.Design, file.Count, file.Seed, file.Parameters);
         Search = file.Goal == null ? null : new StudySearch(file);
 
-        // Reads all that a flight reads, such as a prescribed motion: a change of it makes another study.
-        using (new TetheredFlight(flight, Alate.Cli.Insect.Of(flight)))
-            Hash = HashOf();
+        // Reads all that a flight reads: a change of it makes another study.
+        flight.Check();
+        Hash = HashOf();
     }
 
     /// <summary>The study file.</summary>
     public StudyFile File { get; }
 
     /// <summary>The flight of every run, without the parameters.</summary>
-    public FlightPlan Flight { get; }
-
-    /// <summary>Measures of each run.</summary>
-    public IReadOnlyList<StudyMeasure> Measures { get; }
+    public StudyFlight Flight { get; }
 
     /// <summary>[run][parameter] Values; null where those of a search do not follow from rows yet.</summary>
     public double[][] Points { get; }
@@ -66,12 +68,11 @@ internal sealed class StudyPlan
     {
         try
         {
-            var summary = FlightSummary.Of(TetheredFlight.Fly(At(Points[run])));
-            return new StudyRow(run, Measures.Select(measure => measure.Of(summary)).ToArray(), null);
+            return new StudyRow(run, At(Points[run]).Fly(File.Measures), null);
         }
         catch (UserException problem)
         {
-            return new StudyRow(run, Measures.Select(_ => double.NaN).ToArray(), problem.Message);
+            return new StudyRow(run, File.Measures.Select(_ => double.NaN).ToArray(), problem.Message);
         }
     }
 
@@ -82,7 +83,11 @@ internal sealed class StudyPlan
         {
             try
             {
-                At([(parameter, value)]);
+                StudyFlight flight = At([(parameter, value)]);
+
+                // Numbers of an insect may make its trims another one's.
+                if (parameter.IsOfInsect && File.IsFree)
+                    flight.Check();
             }
             catch (UserException problem)
             {
@@ -91,16 +96,16 @@ internal sealed class StudyPlan
         }
     }
 
-    private FlightPlan At(double[] point) => At(File.Parameters.Select((parameter, k) => (parameter, point[k])).ToArray());
+    private StudyFlight At(double[] point) => At(File.Parameters.Select((parameter, k) => (parameter, point[k])).ToArray());
 
-    private FlightPlan At((StudyParameter Parameter, double Value)[] changes)
+    private StudyFlight At((StudyParameter Parameter, double Value)[] changes)
     {
-        FlightPlan plan = Flight;
+        StudyFlight flight = Flight;
         if (Array.Exists(changes, change => change.Parameter.IsOfInsect))
-            plan = plan with { Definition = InsectAt(changes) };
+            flight = flight.Of(InsectAt(changes));
         foreach ((StudyParameter parameter, double value) in changes)
-            plan = parameter.IsOfInsect ? plan : parameter.In(plan, value);
-        return plan;
+            flight = parameter.IsOfInsect ? flight : flight.With(parameter.Key, value);
+        return flight;
     }
 
     private InsectDefinition InsectAt((StudyParameter Parameter, double Value)[] changes)
@@ -111,7 +116,7 @@ internal sealed class StudyPlan
             insect = parameter.IsOfInsect ? parameter.In(insect, variant, value) : insect;
         try
         {
-            return InsectFile.Read(insect, Flight.Definition.FilePath ?? File.Path, m_Files);
+            return InsectFile.Read(insect, Flight.Insect.FilePath ?? File.Path, m_Files);
         }
         catch (FormatException problem)
         {
@@ -119,9 +124,6 @@ internal sealed class StudyPlan
             throw new UserException(Regex.Replace(problem.Message, "^line [0-9]+, ", ""));
         }
     }
-
-    private UserException Unknown(string name) =>
-        new($"{File.Path}: there is no measure {Quote.Of(name)}. Known: {string.Join(", ", StudyMeasure.Names)}.");
 
     private string HashOf()
     {

@@ -20,7 +20,7 @@ internal static class StudyRows
         var rows = new SortedDictionary<int, StudyRow>();
         foreach (string file in folders.SelectMany(Files))
         {
-            foreach (StudyRow row in Lines(file, plan).Skip(1).Select(line => StudyRow.Read(line, plan.Measures.Count)))
+            foreach (StudyRow row in Lines(file, plan).Skip(1).Select(line => StudyRow.Read(line, plan.File.Measures.Count)))
             {
                 if (row != null && row.Run >= 0 && row.Run < plan.Points.Length)
                     rows.TryAdd(row.Run, row);
