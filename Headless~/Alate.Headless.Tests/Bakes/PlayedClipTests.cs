@@ -76,6 +76,20 @@ public sealed class PlayedClipTests
     }
 
     [Test]
+    public void TheAbdomen_SwingsInFlight_AndHangsStillWhereItSits()
+    {
+        var file = new GlbFile(File.ReadAllBytes(Glb()));
+        JsonElement[] nodes = [.. file.Root.GetProperty("nodes").EnumerateArray()];
+        int abdomen = Array.FindIndex(nodes, node => node.GetProperty("name").GetString().Contains("Abdomen"));
+        double[] turns = Track("land", abdomen, "rotation").Values;
+        double[] angles =
+            [.. Enumerable.Range(0, turns.Length / 4).Select(key => 2.0 * Math.Acos(Math.Min(1.0, Math.Abs(turns[4 * key + 3]))))];
+
+        Assert.That(angles[..(angles.Length / 3)].Max(), Is.InRange(0.03, 0.3), "radians");
+        Assert.That(angles[^1], Is.LessThan(0.01));
+    }
+
+    [Test]
     public void ALoopBeside_StaysWhereItIs()
     {
         using var gltf = JsonDocument.Parse(new GlbFile(File.ReadAllBytes(Glb())).Root.GetRawText());
@@ -127,13 +141,15 @@ public sealed class PlayedClipTests
         [.. Enumerable.Range(0, k_Frames).Select(k => m_Played.Play(clip, k * m_Played.Length(clip) / (k_Frames - 1)).Positions)];
 
     // The first node is the root.
-    private (double[] Times, double[] Values) Root(string clip, string path)
+    private (double[] Times, double[] Values) Root(string clip, string path) => Track(clip, 0, path);
+
+    private (double[] Times, double[] Values) Track(string clip, int node, string path)
     {
         var file = new GlbFile(File.ReadAllBytes(Glb()));
         JsonElement animation = file.Root.GetProperty("animations").EnumerateArray()
             .Single(one => one.GetProperty("name").GetString() == clip);
         JsonElement channel = animation.GetProperty("channels").EnumerateArray().Single(one =>
-            one.GetProperty("target").GetProperty("node").GetInt32() == 0
+            one.GetProperty("target").GetProperty("node").GetInt32() == node
             && one.GetProperty("target").GetProperty("path").GetString() == path);
         JsonElement sampler = animation.GetProperty("samplers")[channel.GetProperty("sampler").GetInt32()];
         return (file.Read(sampler.GetProperty("input").GetInt32()), file.Read(sampler.GetProperty("output").GetInt32()));
