@@ -126,7 +126,7 @@ namespace Alate.Files
                 Hinge = said?[InsectKeys.Hinge] is { } hinge ? FilePlace.Read(hinge) : model.Hinge * size,
                 Picture = picture,
             };
-            wing.Meshed = m_Files.Make((model, length), () => wing.Meshed);
+            wing.Meshed = m_Files.Make(model, () => wing.Meshed);
             if (size != 1f)
                 wing.Change(InsectVariant.Standard, preset => preset.Rest.feet *= size);
             wing.Veins = Veins(said, wing);

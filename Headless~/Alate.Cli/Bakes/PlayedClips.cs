@@ -49,7 +49,12 @@ internal sealed class PlayedClips : IDisposable
         m_Pilot = insect.gameObject.AddComponent<PerchPilot>();
         insect.gameObject.AddComponent<AheadPilot>();
         m_Pilot.Seed = 1;
-        m_Pilot.Settings = new PerchSettings { stayTime = 1e3f, flightTime = 1e3f, foldTime = PerchSettings.Default.foldTime };
+        m_Pilot.Settings = new PerchSettings
+        {
+            stayTime = PerchBounds.StayTime.Max,
+            flightTime = PerchBounds.FlightTime.Max,
+            foldTime = PerchBounds.FoldTime.Default,
+        };
         m_Abdomens = insect.GetComponentsInChildren<AbdomenSwing>();
         m_Rest = Array.ConvertAll(m_Abdomens, abdomen => abdomen.transform.localRotation);
         insect.Quality.culling = WingCulling.AlwaysSimulate;
@@ -125,7 +130,7 @@ internal sealed class PlayedClips : IDisposable
     {
         for (float time = 0f; !isThere(); time += m_Step)
         {
-            if (time > longest || m_Frames.Count > k_MostFrames)
+            if (time > longest)
             {
                 throw new UserException(FormattableString.Invariant(
                     $"Clip '{clip}' cannot be played: {m_Insect.name} is {m_Flight.State} after {time:0.0} s. ")
@@ -155,6 +160,12 @@ internal sealed class PlayedClips : IDisposable
 
     private void Next()
     {
+        if (m_Frames.Count == k_MostFrames)
+        {
+            throw new UserException(FormattableString.Invariant(
+                $"Clips that play once would have more than {k_MostFrames} frames: take fewer --frames than {m_FramesPerBeat}."));
+        }
+
         PlayerLoop.Tick(m_Step);
         var frame = new BakedFrame(0, m_Bake.JointCount);
         for (int w = 0; w < m_Bake.Wings.Count; w++)

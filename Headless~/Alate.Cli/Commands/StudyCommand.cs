@@ -123,6 +123,8 @@ internal static class StudyCommand
             throw new UserException($"{path}: {StudyKeys.Options}: {wrong.Message}");
         }
 
+        if (flight is FreeStudy != file.IsFree)
+            throw new UserException($"{path}: {StudyKeys.Options}: '--free' stands alone, without a value.");
         if (flight is FreeStudy { Repeats: > 1 } several && several.Plan.Pilot != FreePilot.Wander)
             throw new UserException($"{path}: {StudyKeys.Repeats}: flights without --pilot wander are the same each time.");
         return new StudyPlan(file, flight);

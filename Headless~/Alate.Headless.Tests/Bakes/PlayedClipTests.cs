@@ -1,4 +1,5 @@
 using System;
+using System.Globalization;
 using System.IO;
 using System.Linq;
 using System.Text.Json;
@@ -75,13 +76,20 @@ public sealed class PlayedClipTests
         }
     }
 
+    // An abdomen goes with the flap: the same way in a loop and on the way to the spot.
+    [Test]
+    public void TheAbdomen_SwingsWithTheWingsAsInALoop()
+    {
+        double loop = Together("cruise", 1.0), way = Together("land", 1.0 / 3.0);
+
+        Assert.That(Math.Abs(loop), Is.GreaterThan(0.3));
+        Assert.That(way * loop, Is.GreaterThan(0.05), $"{way}, {loop}");
+    }
+
     [Test]
     public void TheAbdomen_SwingsInFlight_AndHangsStillWhereItSits()
     {
-        var file = new GlbFile(File.ReadAllBytes(Glb()));
-        JsonElement[] nodes = [.. file.Root.GetProperty("nodes").EnumerateArray()];
-        int abdomen = Array.FindIndex(nodes, node => node.GetProperty("name").GetString().Contains("Abdomen"));
-        double[] turns = Track("land", abdomen, "rotation").Values;
+        double[] turns = Track("land", NodeOf("Abdomen"), "rotation").Values;
         double[] angles =
             [.. Enumerable.Range(0, turns.Length / 4).Select(key => 2.0 * Math.Acos(Math.Min(1.0, Math.Abs(turns[4 * key + 3]))))];
 
@@ -119,11 +127,26 @@ public sealed class PlayedClipTests
         }
     }
 
+    [Test]
+    public void TheExtentOfAFile_OfSuchAClipAlone_HoldsItsWay()
+    {
+        string folder = m_Files.Folder("monarch --variant flight --clips land --frames 8 --format usd");
+        string extent = File.ReadLines(Path.Combine(folder, "monarch_usd", "monarch.usda")).First(line => line.Contains("extent"));
+        double[] numbers = [.. extent[(extent.IndexOf('=') + 1)..].Split('[', ']', '(', ')', ',', ' ')
+            .Where(word => word.Length > 0).Select(word => double.Parse(word, CultureInfo.InvariantCulture))];
+
+        Assert.That(numbers, Has.Length.EqualTo(6).And.All.Matches<double>(number => Math.Abs(number) < 1.0));
+        Assert.That(numbers[2], Is.LessThan(-0.15), "behind the spot");
+        Assert.That(numbers[4], Is.GreaterThan(0.2), "above it");
+    }
+
     [TestCase("monarch --clips land",
         "Clip 'land' is played by an insect that flies by its own wings: add --variant flight, and no --mesh.")]
     [TestCase("monarch --clips Take-Off --variant flight",
         "Clip 'take-off' goes from one place to another: add --format gltf-skin or --format usd, whose joints move.")]
     [TestCase("monarch --clips land,land --variant flight --format usd", "Clip 'land' is asked for twice.")]
+    [TestCase("firefly --clips land --variant flight --format usd --frames 240",
+        "Clips that play once would have more than 20000 frames: take fewer --frames than 240.")]
     [TestCase("snailfish --clips land --variant flight --format usd --frames 4",
         "Clip 'land' cannot be played: snailfish is Landing after 30.0 s. Only insects that land have it.")]
     public void WhatCannotBePlayed_IsOneLine(string arguments, string message)
@@ -139,6 +162,22 @@ public sealed class PlayedClipTests
 
     private float3[][] Frames(string clip) =>
         [.. Enumerable.Range(0, k_Frames).Select(k => m_Played.Play(clip, k * m_Played.Length(clip) / (k_Frames - 1)).Positions)];
+
+    private int NodeOf(string name) => Array.FindIndex(
+        [.. new GlbFile(File.ReadAllBytes(Glb())).Root.GetProperty("nodes").EnumerateArray()],
+        node => node.GetProperty("name").GetString().Contains(name));
+
+    // Correlation of the abdomen's pitch with the flap of the right wing's leading edge over the first keys of a clip.
+    private double Together(string clip, double share)
+    {
+        double[] abdomen = Track(clip, NodeOf("Abdomen"), "rotation").Values, wing = Track(clip, NodeOf("Right 1.1"), "rotation").Values;
+        int keys = (int)(share * abdomen.Length / 4);
+        double[] pitch = [.. Enumerable.Range(0, keys).Select(key => abdomen[4 * key] * Math.Sign(abdomen[4 * key + 3]))],
+            flap = [.. Enumerable.Range(0, keys).Select(key => wing[4 * key + 2] * Math.Sign(wing[4 * key + 3]))];
+        double p = pitch.Average(), f = flap.Average();
+        return pitch.Zip(flap, (a, b) => (a - p) * (b - f)).Sum()
+            / Math.Sqrt(pitch.Sum(a => (a - p) * (a - p)) * flap.Sum(b => (b - f) * (b - f)));
+    }
 
     // The first node is the root.
     private (double[] Times, double[] Values) Root(string clip, string path) => Track(clip, 0, path);

@@ -76,6 +76,8 @@ public sealed class FreeStudyTests
         "repeats: a flight on the spot is the same each time; '--free' in the options flies freely.")]
     [TestCase(k_Wander, "{ \"key\": \"gust-y\", \"values\": [-21, 1] }", 1, "'gust-y' must lie between -20 and 20; it is -21.")]
     [TestCase("\"--free\", \"--speed\", \"1\"", k_Gusts, 1, "options: --speed is for flights on the spot; it does not go with --free.")]
+    [TestCase("\"--free=true\", \"--to\", \"0,0,1\"", "{ \"key\": \"pitch\", \"values\": [1, 2] }", 1,
+        "options: '--free' stands alone, without a value.")]
     [TestCase("\"--free\", \"--record\", \"a.txt\"", k_Gusts, 1, "options: A study takes no --record.")]
     [TestCase(k_Wander, "{ \"key\": \"insect.massMilligrams\", \"values\": [400, 500] }", 1, "'insect.massMilligrams' at 400: ")]
     public void WhatDoesNotGoTogether_IsOneLine(string options, string parameter, int repeats, string message)

@@ -6,6 +6,7 @@ namespace Alate.Catalogue
     /// <summary>The meshed outline of a wing, kept for the next insect: to fill it evenly takes the longest of making one.</summary>
     internal sealed class MadeSurface
     {
+        private readonly double m_Length;
         private readonly float m_Scale;
         private readonly int m_TriangleCount;
         private readonly bool m_IsFilled;
@@ -17,7 +18,7 @@ namespace Alate.Catalogue
         /// <param name="scale">Mesh units of one wing length.</param>
         public MadeSurface(WingDefinition wing, float scale)
         {
-            (m_Scale, m_TriangleCount, m_IsFilled) = (scale, wing.TriangleCount, wing.IsFilled);
+            (m_Length, m_Scale, m_TriangleCount, m_IsFilled) = (wing.Length, scale, wing.TriangleCount, wing.IsFilled);
             (m_Scallops, m_Pattern) = (wing.Scallops, wing.Pattern);
             Surface = m_IsFilled
                 ? WingMesher.Fill(wing.Contour, m_Scallops, m_TriangleCount, scale)
@@ -30,8 +31,9 @@ namespace Alate.Catalogue
         public SurfaceMesh Surface { get; }
 
         /// <summary>Returns true where it is what the wing's numbers ask for now.</summary>
-        public bool Is(WingDefinition wing, float scale) => m_Scale == scale && m_TriangleCount == wing.TriangleCount
-            && m_IsFilled == wing.IsFilled && m_Scallops == wing.Scallops && m_Pattern == wing.Pattern;
+        public bool Is(WingDefinition wing, float scale) => m_Length == wing.Length && m_Scale == scale
+            && m_TriangleCount == wing.TriangleCount && m_IsFilled == wing.IsFilled && m_Scallops == wing.Scallops
+            && m_Pattern == wing.Pattern;
 
         /// <summary>The right wing in arrays of its own.</summary>
         public SurfaceMesh Copy() => new SurfaceMesh

@@ -107,7 +107,7 @@ namespace Alate.Catalogue
         /// <summary>The picture of the pattern that was painted last.</summary>
         internal KeptPicture Painted { get; } = new KeptPicture();
 
-        /// <summary>The meshed outline; wings of one outline may share it.</summary>
+        /// <summary>The meshed outline; wings of one model may share it.</summary>
         internal KeptSurface Meshed { get; set; } = new KeptSurface();
 
         /// <summary>A picture for the texture coordinates of the mesh, a PNG file; null for none.</summary>

@@ -119,7 +119,9 @@ internal sealed class SkinUsd
     // Wherever it goes, its wings reach no farther from it than their length.
     private IEnumerable<float3> Reach()
     {
-        UnityEngine.Bounds bounds = m_Bake.Bounds;
+        // Clips that play once have joints alone.
+        bool hasLoops = m_Bake.Clips.Any(clip => clip.Path == null);
+        UnityEngine.Bounds bounds = hasLoops ? m_Bake.Bounds : new UnityEngine.Bounds(m_Bake.Clips[0].Path[0].position, default);
         foreach (BakedJoint body in m_Bake.Clips.SelectMany(clip => clip.Path ?? []))
         {
             bounds.Encapsulate((UnityEngine.Vector3)(body.position - 2f * m_Bake.WingLength));

@@ -20,6 +20,12 @@ internal sealed record FreeRecord(
     /// <summary>[moment][wing] Powers.</summary>
     public IReadOnlyList<WingPower[]> Powers { get; init; } = [];
 
+    /// <summary>Mean upward force of the air over the weight.</summary>
+    public double LiftOverWeight => Moments.Average(at => at.Force.y) / Weight;
+
+    /// <summary>Mean power of the aid, W.</summary>
+    public double AidPower => Moments.Average(at => at.AidPower);
+
     /// <summary>Mean powers of all wings.</summary>
     public WingPower MeanPower => WingPower.Mean(Powers.SelectMany(wings => wings), Moments.Count);
 

@@ -15,13 +15,13 @@ internal static class FreeSummaryJson
         Number(json, "seconds", last.Time);
         Vector(json, "end_m", last.Position);
         Number(json, "velocity_error_m_s", record.VelocityError);
-        Number(json, "lift_over_weight", record.Moments.Average(at => at.Force.y) / record.Weight);
+        Number(json, "lift_over_weight", record.LiftOverWeight);
         Number(json, "upstroke_share", record.UpstrokeShare);
         WingPower mean = record.MeanPower;
         Number(json, "power_w", mean.Air);
         Number(json, "positive_power_w", mean.Positive);
         Number(json, "negative_power_w", mean.Negative);
-        Number(json, "aid_w", record.Moments.Average(at => at.AidPower));
+        Number(json, "aid_w", record.AidPower);
         json.WriteStartArray("tumbles");
         foreach (FlightTumble tumble in record.Tumbles)
         {

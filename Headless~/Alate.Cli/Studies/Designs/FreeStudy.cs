@@ -20,12 +20,12 @@ internal sealed record FreeStudy(FreePlan Plan, int Repeats) : StudyFlight
         ("end_z_m", "end ahead, m", flight => flight.Moments[^1].Position.z),
         ("lowest_m", "lowest place, m", flight => flight.Moments.Min(at => at.Position.y)),
         ("farthest_m", "farthest place, m", flight => flight.Moments.Max(at => math.length(at.Position))),
-        ("lift_over_weight", "lift over weight", flight => flight.Moments.Average(at => at.Force.y) / flight.Weight),
+        ("lift_over_weight", "lift over weight", flight => flight.LiftOverWeight),
         ("upstroke_share", "share of the upstroke", flight => flight.UpstrokeShare),
         ("power_w", "power to the air, W", flight => flight.MeanPower.Air),
         ("positive_power_w", "positive power, W", flight => flight.MeanPower.Positive),
         ("negative_power_w", "negative power, W", flight => flight.MeanPower.Negative),
-        ("aid_w", "power of the aid, W", flight => flight.Moments.Average(at => at.AidPower)),
+        ("aid_w", "power of the aid, W", flight => flight.AidPower),
     ];
 
     private static readonly (string Ending, string Title, Func<double[], double> Of)[] s_Spreads =
@@ -54,9 +54,12 @@ internal sealed record FreeStudy(FreePlan Plan, int Repeats) : StudyFlight
 
     public override InsectVariant Variant => InsectVariant.Flight;
 
-    // Spreads are of several flights.
-    public override IEnumerable<string> Measures => s_Measures.SelectMany(
-        measure => s_Spreads.Take(Repeats > 1 ? s_Spreads.Length : 1).Select(spread => measure.Name + spread.Ending));
+    public override IEnumerable<string> Measures =>
+        s_Measures.SelectMany(measure => Spreads.Select(spread => measure.Name + spread.Ending));
+
+    // One flight has its mean alone.
+    private IEnumerable<(string Ending, string Title, Func<double[], double> Of)> Spreads =>
+        s_Spreads.Take(Repeats > 1 ? s_Spreads.Length : 1);
 
     public override StudyFlight Of(InsectDefinition insect) => this with { Plan = Plan with { Insect = insect } };
 
@@ -101,7 +104,7 @@ internal sealed record FreeStudy(FreePlan Plan, int Repeats) : StudyFlight
     {
         foreach ((string measure, string title, Func<FreeRecord, double> of) in s_Measures)
         {
-            foreach ((string ending, string spread, Func<double[], double> over) in s_Spreads.Take(Repeats > 1 ? s_Spreads.Length : 1))
+            foreach ((string ending, string spread, Func<double[], double> over) in Spreads)
             {
                 if (name == measure + ending)
                     return (title + spread, flights => over(Array.ConvertAll(flights, flight => of(flight))));
