@@ -11,6 +11,31 @@ public static class Program
     /// <summary>Exit codes of bad usage or input, and of an error of the program's own (EX_SOFTWARE of sysexits.h).</summary>
     private const int k_BadInput = 2, k_OwnError = 70;
 
+    /// <summary>All commands, in the order of the help.</summary>
+    internal static readonly (string Name, Func<TextWriter, Command> Create)[] s_Commands =
+    [
+        ("fly", FlyCommand.Create),
+        ("view", ViewCommand.Create),
+        ("site", SiteCommand.Create),
+        ("film", FilmCommand.Create),
+        ("trim", TrimCommand.Create),
+        ("bake", BakeCommand.Create),
+        ("gallery", GalleryCommand.Create),
+        ("species", SpeciesCommand.Create),
+        ("compare", CompareCommand.Create),
+        ("sweep", SweepCommand.Create),
+        ("study", StudyCommand.Create),
+        ("convergence", ConvergenceCommand.Create),
+        ("wind", WindCommand.Create),
+        ("wake", WakeCommand.Create),
+        ("validate", ValidateCommand.Create),
+        ("insect", InsectCommand.Create),
+        ("skeleton", SkeletonCommand.Create),
+        ("bench", BenchCommand.Create),
+        ("figures", FiguresCommand.Create),
+        ("new-project", NewProjectCommand.Create),
+    ];
+
     /// <summary>Variable of the environment; <c>1</c> prints where an error of the program's own comes from.</summary>
     private const string k_Trace = "ALATE_TRACE";
 
@@ -29,34 +54,14 @@ public static class Program
     /// <returns>The exit code: 0 for success, 2 for bad usage or input, 70 for an error of the program's own.</returns>
     internal static int Run(string[] args, TextWriter output, TextWriter errors, bool isTraced = false)
     {
-        var root = new RootCommand("Flies insects without Unity: pictures, a 3D file and numbers of wings that flex as they beat.");
-        root.Subcommands.Add(FlyCommand.Create(output));
-        root.Subcommands.Add(ViewCommand.Create(output));
-        root.Subcommands.Add(SiteCommand.Create(output));
-        root.Subcommands.Add(FilmCommand.Create(output));
-        root.Subcommands.Add(TrimCommand.Create(output));
-        root.Subcommands.Add(BakeCommand.Create(output));
-        root.Subcommands.Add(GalleryCommand.Create(output));
-        root.Subcommands.Add(SpeciesCommand.Create(output));
-        root.Subcommands.Add(CompareCommand.Create(output));
-        root.Subcommands.Add(SweepCommand.Create(output));
-        root.Subcommands.Add(StudyCommand.Create(output));
-        root.Subcommands.Add(ConvergenceCommand.Create(output));
-        root.Subcommands.Add(WindCommand.Create(output));
-        root.Subcommands.Add(WakeCommand.Create(output));
-        root.Subcommands.Add(ValidateCommand.Create(output));
-        root.Subcommands.Add(InsectCommand.Create(output));
-        root.Subcommands.Add(SkeletonCommand.Create(output));
-        root.Subcommands.Add(BenchCommand.Create(output));
-        root.Subcommands.Add(FiguresCommand.Create(output));
-        root.Subcommands.Add(NewProjectCommand.Create(output));
-        HelpExamples.AddTo(root);
-        PackageVersion.AddTo(root);
+        ParseResult parsed = Parse(args, output, args.Length == 0 ? null : args[0]);
+        if (UsageProblem.Find(parsed) != null)
+        {
+            parsed = Parse(args, output, null);
+            if (UsageProblem.Find(parsed) is string usage)
+                return Fail(k_BadInput, usage, errors);
+        }
 
-        // A word is a word: @FILE is no list of more of them.
-        ParseResult parsed = root.Parse(args.Length == 0 ? ["--help"] : args, new ParserConfiguration { ResponseFileTokenReplacer = null });
-        if (UsageProblem.Find(parsed) is string usage)
-            return Fail(k_BadInput, usage, errors);
         try
         {
             using var held = HeldFolders.Begin();
@@ -79,6 +84,24 @@ public static class Program
         {
             return Fail(k_OwnError, OwnError(problem.GetBaseException()), errors, isTraced ? problem.ToString() : null);
         }
+    }
+
+    // The command of a name alone, where there is one: to make all of them takes longer than to start the program.
+    private static ParseResult Parse(string[] args, TextWriter output, string name)
+    {
+        var root = new RootCommand("Flies insects without Unity: pictures, a 3D file and numbers of wings that flex as they beat.");
+        bool isKnown = Array.Exists(s_Commands, command => command.Name == name);
+        foreach ((string known, Func<TextWriter, Command> create) in s_Commands)
+        {
+            if (!isKnown || known == name)
+                root.Subcommands.Add(create(output));
+        }
+
+        HelpExamples.AddTo(root);
+        PackageVersion.AddTo(root);
+
+        // A word is a word: @FILE is no list of more of them.
+        return root.Parse(args.Length == 0 ? ["--help"] : args, new ParserConfiguration { ResponseFileTokenReplacer = null });
     }
 
     private static string OwnError(Exception problem) =>

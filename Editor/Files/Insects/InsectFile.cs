@@ -133,24 +133,13 @@ namespace Alate.Files
             KinematicsFile motion = m_Root[InsectKeys.Kinematics] is { } kinematics
                 ? KinematicsFile.Read(Beside(kinematics), names, m_Files)
                 : null;
-            wing.Change(preset =>
-            {
-                Say(m_Root, InsectKeys.OfInsect, preset);
-                Say(said, InsectKeys.OfWing, preset);
-                SayGroups(preset, new[] { m_Root, said }, new[] { m_Root, said });
-                motion?.ApplyTo(name, preset);
-            });
+            wing.Change(Changes(m_Root, said, new[] { m_Root, said }) + (preset => motion?.ApplyTo(name, preset)));
             foreach ((string variant, JsonPlace other) in Members(m_Root[InsectKeys.Variants]))
             {
                 JsonPlace others = other[InsectKeys.Wings], own = others?[name];
                 if (Members(others).FirstOrDefault(member => !names.Contains(member.Key)) is { Value: { } stranger })
                     throw stranger.Wrong($"the insect has no such wing. It has: {string.Join(", ", names)}");
-                wing.Change(Enum.Parse<InsectVariant>(variant, true), preset =>
-                {
-                    Say(other, InsectKeys.OfInsect, preset);
-                    Say(own, InsectKeys.OfWing, preset);
-                    SayGroups(preset, new[] { other, own }, new[] { m_Root, said, other, own });
-                });
+                wing.Change(Enum.Parse<InsectVariant>(variant, true), Changes(other, own, new[] { m_Root, said, other, own }));
             }
 
             return wing;
@@ -159,26 +148,33 @@ namespace Alate.Files
         private static IReadOnlyList<(string Key, JsonPlace Value)> Members(JsonPlace place) =>
             place?.Members ?? Array.Empty<(string, JsonPlace)>();
 
-        private static void Say(JsonPlace said, IEnumerable<PresetKey> keys, WingPreset preset)
+        // What an insect and its wing say of a preset, each number read once. A frequency and a flap that are said are flown at every speed,
+        // where the file says no floor.
+        private static Action<WingPreset> Changes(JsonPlace insect, JsonPlace wing, JsonPlace[] all)
         {
-            foreach (PresetKey key in keys)
-            {
-                if (said?[key.Name] is { } value)
-                    key.Set(preset, value);
-            }
-        }
-
-        // A frequency and a flap that are said are flown at every speed, where the file says no floor.
-        private static void SayGroups(WingPreset preset, JsonPlace[] levels, JsonPlace[] all)
-        {
+            JsonPlace[] levels = { insect, wing };
+            var changes = new List<Action<WingPreset>>();
+            Say(insect, InsectKeys.OfInsect);
+            Say(wing, InsectKeys.OfWing);
             if (SaysBeat(levels, InsectKeys.Frequency) && !SaysBeat(all, InsectKeys.FrequencyFloor))
-                preset.Beat.frequencyFloor = 1f;
+                changes.Add(preset => preset.Beat.frequencyFloor = 1f);
             if (SaysBeat(levels, InsectKeys.FlapRange) && !SaysBeat(all, InsectKeys.AmplitudeFloor))
-                preset.Beat.amplitudeFloor = 1f;
+                changes.Add(preset => preset.Beat.amplitudeFloor = 1f);
             foreach (JsonPlace level in levels)
             {
                 foreach ((string name, _, IReadOnlyList<PresetKey> keys) in InsectKeys.Groups)
-                    Say(level?[name], keys, preset);
+                    Say(level?[name], keys);
+            }
+
+            return preset => changes.ForEach(change => change(preset));
+
+            void Say(JsonPlace said, IEnumerable<PresetKey> keys)
+            {
+                foreach (PresetKey key in keys)
+                {
+                    if (said?[key.Name] is { } value)
+                        changes.Add(key.Read(value));
+                }
             }
         }
 

@@ -166,7 +166,11 @@ namespace Alate.Files
         private static PresetKey Substeps() => new PresetKey(
             "substepsPerBeat", new NumberShape(WingParameters.MinSubsteps, WingParameters.MaxSubsteps, "", isWhole: true),
             "Substeps of one beat.", preset => (decimal)preset.SubstepsPerBeat,
-            (preset, value) => preset.SubstepsPerBeat = (int)FileNumber.ToPreset(value.Text, 1m));
+            value =>
+            {
+                int substeps = (int)FileNumber.ToPreset(value.Text, 1m);
+                return preset => preset.SubstepsPerBeat = substeps;
+            });
 
         private static ListShape Chains(decimal least, decimal most, string unit) => new ListShape(
             new ListShape(new NumberShape(least, most, unit), 0, WingSkeleton.MaxJoints, "a list of numbers from root to tip"),

@@ -29,12 +29,13 @@ namespace Alate.Files
         /// <param name="shape">The value.</param>
         /// <param name="help">One or two sentences.</param>
         /// <param name="of">The value of a preset, as the file has it.</param>
-        /// <param name="set">Gives a preset a checked value.</param>
-        public PresetKey(string name, FileShape shape, string help, Func<WingPreset, object> of, Action<WingPreset, JsonPlace> set)
+        /// <param name="read">Reads a checked value, and returns what gives it to a preset.</param>
+        public PresetKey(
+            string name, FileShape shape, string help, Func<WingPreset, object> of, Func<JsonPlace, Action<WingPreset>> read)
             : base(name, shape, help)
         {
             Of = of;
-            Set = set;
+            Read = read;
         }
 
         /// <summary>Reference to a group of a preset.</summary>
@@ -43,14 +44,14 @@ namespace Alate.Files
         /// <summary>The value of a preset as the file has it: a decimal, a place in metres, a bool or a word.</summary>
         public Func<WingPreset, object> Of { get; }
 
-        /// <summary>Gives a preset a checked value.</summary>
-        public Action<WingPreset, JsonPlace> Set { get; }
+        /// <summary>Reads a checked value once, and returns what gives it to any number of presets.</summary>
+        public Func<JsonPlace, Action<WingPreset>> Read { get; }
 
         /// <summary>This key by another name.</summary>
-        public PresetKey Named(string name) => new PresetKey(name, Shape, Help, Of, Set);
+        public PresetKey Named(string name) => new PresetKey(name, Shape, Help, Of, Read);
 
         /// <summary>This key with other help.</summary>
-        public PresetKey With(string help) => new PresetKey(Name, Shape, help, Of, Set);
+        public PresetKey With(string help) => new PresetKey(Name, Shape, help, Of, Read);
 
         /// <summary>Keys of all fields of a group, in its order.</summary>
         public static IEnumerable<PresetKey> All<T>(Group<T> group) where T : struct =>
@@ -74,12 +75,12 @@ namespace Alate.Files
             if (found.FieldType == typeof(bool))
             {
                 return new PresetKey(name, new ChoiceShape(), help, preset => Get(group, found, preset),
-                    (preset, value) => Put(group, found, preset, value.Text == "true"));
+                    value => Put(group, found, value.Text == "true"));
             }
 
             string[] words = Array.ConvertAll(Enum.GetNames(found.FieldType), Camel);
             return new PresetKey(name, new ChoiceShape(words), help, preset => Camel(Get(group, found, preset).ToString()),
-                (preset, value) => Put(group, found, preset, Enum.GetValues(found.FieldType).GetValue(Array.IndexOf(words, value.Text))));
+                value => Put(group, found, Enum.GetValues(found.FieldType).GetValue(Array.IndexOf(words, value.Text))));
         }
 
         private static PresetKey Number<T>(Group<T> group, FieldInfo field, string name, string help) where T : struct
@@ -92,21 +93,21 @@ namespace Alate.Files
                 FileNumber.ToFile(range?.min ?? unit.Min, perUnit), FileNumber.ToFile(range?.max ?? unit.Max, perUnit), words);
             return new PresetKey(
                 name + suffix, shape, help, preset => FileNumber.ToFile((float)Get(group, field, preset), perUnit),
-                (preset, value) => Put(group, field, preset, FileNumber.ToPreset(value.Text, perUnit)));
+                value => Put(group, field, FileNumber.ToPreset(value.Text, perUnit)));
         }
 
         private static PresetKey Place<T>(Group<T> group, FieldInfo field, string name, string help) where T : struct => new PresetKey(
             name + "Millimetres", FilePlace.Shape, help, preset => Get(group, field, preset),
-            (preset, value) => Put(group, field, preset, FilePlace.Read(value)));
+            value => Put(group, field, FilePlace.Read(value)));
 
         private static object Get<T>(Group<T> group, FieldInfo field, WingPreset preset) where T : struct => field.GetValue(group(preset));
 
-        private static void Put<T>(Group<T> group, FieldInfo field, WingPreset preset, object value) where T : struct
+        private static Action<WingPreset> Put<T>(Group<T> group, FieldInfo field, object value) where T : struct => preset =>
         {
             object whole = group(preset);
             field.SetValue(whole, value);
             group(preset) = (T)whole;
-        }
+        };
 
         private static string Camel(string name) => char.ToLowerInvariant(name[0]) + name.Substring(1);
     }

@@ -47,6 +47,13 @@ public sealed class HelpLaws
     }
 
     [Test]
+    public void EachCommand_IsFoundByItsOwnName()
+    {
+        foreach ((string name, Func<TextWriter, System.CommandLine.Command> create) in Program.s_Commands)
+            Assert.That(create(TextWriter.Null).Name, Is.EqualTo(name));
+    }
+
+    [Test]
     public void TheProgramsOwnHelp_HasTheFirstExampleOfEachCommand()
     {
         string help = Help("");

@@ -50,7 +50,7 @@ internal static class StudyWorkers
             workers.AddRange(shards.Select(shard => Start(file, folder, shard)));
             while (workers.Exists(worker => !worker.HasExited))
             {
-                Thread.Sleep(k_Poll);
+                workers.Find(worker => !worker.HasExited)?.WaitForExit(k_Poll);
                 poll();
                 if (workers.Find(worker => worker.HasExited && worker.ExitCode != 0) is { } failed)
                     throw new UserException($"A worker failed with exit code {failed.ExitCode}: {Words(failed)}");
