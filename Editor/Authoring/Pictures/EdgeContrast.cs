@@ -18,6 +18,9 @@ namespace Alate.Authoring
         /// <summary>Half of the least width of a membrane beside a vein, as a share of the longer side; shadows are narrower.</summary>
         private const double k_Broad = 0.01;
 
+        /// <summary>Largest share of a cell's or a vein's rim beside ground; shadows and dust lie in it.</summary>
+        private const double k_MostOpen = 0.4;
+
         private readonly PixelPlane m_Contrast;
         private readonly PixelPlane m_Highest;
         private readonly int m_Reach;
@@ -38,8 +41,8 @@ namespace Alate.Authoring
         }
 
         /// <summary>
-        /// Pixels of the wing: of positive <see cref="excess"/>, and what stands out at all in slits between its largest part and other
-        /// broad ones. Beside a dark vein, a pale membrane has less than half of the contrast nearby, as a rim has.
+        /// Pixels of the wing: of positive <see cref="excess"/>, and what stands out at all in slits between its largest part, other broad
+        /// ones and those that lie within. Beside a dark vein, a pale membrane has less than half of the contrast nearby, as a rim has.
         /// </summary>
         /// <param name="sure">Those of positive excess.</param>
         public PixelMask WithoutSlits(PixelMask sure)
@@ -49,7 +52,15 @@ namespace Alate.Authoring
                 return sure;
             double broad = Math.Max(2.0 * m_Reach, k_Broad * Math.Max(sure.width, sure.height));
             PixelMask wing = sure.Shrunk(broad).Grown(broad);
-            parts[0].AddTo(wing);
+            PixelMask inWing = m_Contrast.Above((float)m_Noise).Shrunk(m_Reach + 1.0), inner = sure.Shrunk(1.0);
+            foreach (PixelPart part in parts)
+            {
+                int rim = part.CountOf((column, row) => !inner[column, row]),
+                    open = part.CountOf((column, row) => !inner[column, row] && !inWing[column, row]);
+                if (part == parts[0] || open < k_MostOpen * rim)
+                    part.AddTo(wing);
+            }
+
             wing = wing.Grown(m_Reach).Shrunk(m_Reach);
             for (int row = 0; row < wing.height; row++)
             {

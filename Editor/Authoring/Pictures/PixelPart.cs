@@ -37,6 +37,15 @@ namespace Alate.Authoring
         /// <summary>Returns true where a condition on column and row holds for any of the pixels.</summary>
         public bool Any(Func<int, int, bool> holds) => m_Pixels.Exists(at => holds(at % m_Width, at / m_Width));
 
+        /// <summary>Number of the pixels for which a condition on column and row holds.</summary>
+        public int CountOf(Func<int, int, bool> holds)
+        {
+            int count = 0;
+            foreach (int at in m_Pixels)
+                count += holds(at % m_Width, at / m_Width) ? 1 : 0;
+            return count;
+        }
+
         public void AddTo(PixelMask mask)
         {
             foreach (int at in m_Pixels)

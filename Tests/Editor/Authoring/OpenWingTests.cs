@@ -51,6 +51,20 @@ namespace Alate.Editor.Tests
             Assert.That(PlanPaths.Hausdorff(outline, PlanPaths.ToPlan(place.Outline)), Is.LessThan(0.03 * place.Length));
         }
 
+        // Narrow cells between veins that come together, beside a base that is drawn without a margin.
+        [Test]
+        public void CellsBetweenVeinsThatMeet_BelongToTheWing_ThoughItsBaseIsOpen()
+        {
+            WingPlace place = DrawnWing.Fan().In(1200);
+            DrawnPicture picture = new DrawnPicture(1200, 1200, s_White).Fill(place.Outline, new Color32(200, 191, 168, 255));
+            picture.Stroke(place.Outline, 6f, s_Black);
+            for (int k = 10; k < place.Outline.Length - 10; k += 12)
+                picture.Stroke(new[] { place.At(Vector2.zero), place.Outline[k] }, 6f, s_Black);
+
+            Assert.That(
+                PlanPaths.Hausdorff(Outline(picture.ToPicture()), PlanPaths.ToPlan(place.Outline)), Is.LessThan(0.02 * place.Length));
+        }
+
         // Shadows are no membranes beside a vein: narrower.
         [Test]
         public void PatchesOfShadowBesideTheWing_StayOutside()
