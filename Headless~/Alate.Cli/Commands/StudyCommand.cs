@@ -100,7 +100,7 @@ internal static class StudyCommand
     internal static StudyPlan Read(string path)
     {
         var file = StudyFile.Read(path);
-        InsectDefinition insect = KnownSpecies.Find(file.Insect);
+        InsectDefinition insect = Within(StudyKeys.Insect, () => KnownSpecies.Find(file.Insect));
         var options = new FlyOptions();
         var command = new Command("fly");
         options.AddTo(command);
@@ -112,27 +112,34 @@ internal static class StudyCommand
             throw new UserException($"{path}: {StudyKeys.Options}: {problem}");
         if (parsed.GetResult(options.Out) is { Implicit: false })
             throw new UserException($"{path}: {StudyKeys.Options}: {options.Out.Name} is an option of 'study' itself.");
-        StudyFlight flight;
-        try
+        StudyFlight flight = Within(StudyKeys.Options, () =>
         {
-            flight = free.IsFree(parsed) ? Free() : new SpotStudy(options.Plan(parsed, insect.Name, insect));
-            KnownSpecies.With(insect, flight.Variant);
-        }
-        catch (UserException wrong)
-        {
-            throw new UserException($"{path}: {StudyKeys.Options}: {wrong.Message}");
-        }
-
+            StudyFlight said = free.IsFree(parsed) ? Free() : new SpotStudy(options.Plan(parsed, insect.Name, insect));
+            KnownSpecies.With(insect, said.Variant);
+            return said;
+        });
         if (flight is FreeStudy != file.IsFree)
             throw new UserException($"{path}: {StudyKeys.Options}: '--free' stands alone, without a value.");
         if (flight is FreeStudy { Repeats: > 1 } several && several.Plan.Pilot != FreePilot.Wander)
             throw new UserException($"{path}: {StudyKeys.Repeats}: flights without --pilot wander are the same each time.");
         return new StudyPlan(file, flight);
 
-        FreeStudy Free()
+        StudyFlight Free()
         {
             options.CheckFree(parsed);
             return new FreeStudy(free.PlanOfStudy(parsed, insect, options.Seconds(parsed)), file.Repeats);
+        }
+
+        T Within<T>(string key, Func<T> read)
+        {
+            try
+            {
+                return read();
+            }
+            catch (UserException wrong)
+            {
+                throw new UserException($"{path}: {key}: {wrong.Message}");
+            }
         }
     }
 

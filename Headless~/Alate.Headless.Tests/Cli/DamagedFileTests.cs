@@ -39,7 +39,7 @@ namespace Alate.Tests.Cli
         public void SixHundredDamagedKinematics_FlyOrAreRefusedInOneLine() => FlyKinematics(k_Kinematics, k_Kinematics + k_All);
 
         [Test, Explicit, Category("Long")]
-        public void TwoHundredDamagedStudies_AreFlownOrRefusedInOneLine()
+        public void SixHundredDamagedStudies_AreFlownOrRefusedInOneLine()
         {
             const string k_Study = """
                 { "version": 1, "insect": "monarch", "options": ["--speed", "0"], "design": "latin-hypercube", "count": 2, "seed": 3,
@@ -48,15 +48,21 @@ namespace Alate.Tests.Cli
                     { "key": "elasticity", "from": 0.5, "to": 2, "scale": "logarithmic" } ],
                   "measures": ["lift_over_weight", "power_w"], "best": { "most": "lift_over_weight", "least": "power_w" } }
                 """;
+            const string k_Free = """
+                { "version": 1, "insect": "firefly", "options": ["--free", "--pilot", "wander", "--seconds", "0.2"], "seed": 2,
+                  "parameters": [ { "key": "gust-y", "from": -2, "to": 2, "steps": 2 }, { "key": "erratic", "from": 0, "to": 1, "steps": 2 } ],
+                  "repeats": 2, "measures": ["tumble_s", "lift_over_weight", "lowest_m_least"] }
+                """;
             int refused = 0;
-            for (int seed = 0; seed < 200; seed++)
+            for (int seed = 0; seed < k_All; seed++)
             {
                 using var run = new CommandRun();
-                string file = run.Write("one.study.json", DamagedJson.Of(k_Study, seed).Replace("\"count\": 2000", "\"count\": 20"));
+                string damaged = DamagedJson.Of(seed % 3 == 0 ? k_Free : k_Study, seed);
+                string file = run.Write("one.study.json", damaged.Replace("\"count\": 2000", "\"count\": 20"));
                 refused += AssertFliesOrRefuses(run, $"seed {seed}", file, ["study", file, "--workers", "1", "--out", run.Out]) ? 0 : 1;
             }
 
-            Assert.That(refused, Is.InRange(20, 190), "some are damaged, and some fly");
+            Assert.That(refused, Is.InRange(k_All / 10, k_All * 19 / 20), "some are damaged, and some fly");
         }
 
         // Most fly on the spot; of eleven one flies freely, and of one the numbers are compared with those of real insects.

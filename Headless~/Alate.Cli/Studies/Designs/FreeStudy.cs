@@ -54,8 +54,8 @@ internal sealed record FreeStudy(FreePlan Plan, int Repeats) : StudyFlight
 
     public override InsectVariant Variant => InsectVariant.Flight;
 
-    public override IEnumerable<string> Measures =>
-        s_Measures.SelectMany(measure => Spreads.Select(spread => measure.Name + spread.Ending));
+    public override string KnownMeasures => string.Join(", ", s_Measures.Select(measure => measure.Name))
+        + (Repeats > 1 ? $"; each also with {string.Join(" or ", Spreads.Skip(1).Select(spread => spread.Ending))} behind it" : "");
 
     // One flight has its mean alone.
     private IEnumerable<(string Ending, string Title, Func<double[], double> Of)> Spreads =>

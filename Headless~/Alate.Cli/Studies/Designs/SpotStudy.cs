@@ -19,7 +19,7 @@ internal sealed record SpotStudy(FlightPlan Plan) : StudyFlight
 
     public override InsectVariant Variant => Plan.Variant;
 
-    public override IEnumerable<string> Measures => StudyMeasure.Names;
+    public override string KnownMeasures => string.Join(", ", StudyMeasure.Names);
 
     public override StudyFlight Of(InsectDefinition insect) => new SpotStudy(Plan with { Definition = insect });
 

@@ -9,8 +9,8 @@ internal abstract record StudyFlight
     /// <summary>Variant of the insect.</summary>
     public abstract InsectVariant Variant { get; }
 
-    /// <summary>Names of all measures.</summary>
-    public abstract IEnumerable<string> Measures { get; }
+    /// <summary>Names of all measures, as a message lists them.</summary>
+    public abstract string KnownMeasures { get; }
 
     /// <summary>Returns the flight of an insect with other numbers.</summary>
     public abstract StudyFlight Of(InsectDefinition insect);
@@ -29,7 +29,7 @@ internal abstract record StudyFlight
     public abstract void Check();
 
     /// <summary>Flies, and measures.</summary>
-    /// <param name="measures">Names of <see cref="Measures"/>.</param>
+    /// <param name="measures">Their names.</param>
     /// <exception cref="UserException">It cannot be flown.</exception>
     public abstract double[] Fly(IReadOnlyList<string> measures);
 

@@ -23,7 +23,7 @@ internal sealed class StudyPlan
         if (file.Measures.FirstOrDefault(name => flight.TitleOf(name) == null) is { } unknown)
         {
             throw new UserException(
-                $"{file.Path}: there is no measure {Quote.Of(unknown)}. Known: {string.Join(", ", flight.Measures)}.");
+                $"{file.Path}: there is no measure {Quote.Of(unknown)}. Known: {flight.KnownMeasures}.");
         }
 
         string missing = new[] { file.Most, file.Least }.Concat(file.Goal?.Measures ?? [])
