@@ -148,8 +148,8 @@ namespace Alate.Files
         private static IReadOnlyList<(string Key, JsonPlace Value)> Members(JsonPlace place) =>
             place?.Members ?? Array.Empty<(string, JsonPlace)>();
 
-        // What an insect and its wing say of a preset, each number read once. A frequency and a flap that are said are flown at every speed,
-        // where the file says no floor.
+        // What an insect and its wing say of a preset, each number read once. A frequency and a flap that are said are flown at every
+        // speed, where the file says no floor.
         private static Action<WingPreset> Changes(JsonPlace insect, JsonPlace wing, JsonPlace[] all)
         {
             JsonPlace[] levels = { insect, wing };

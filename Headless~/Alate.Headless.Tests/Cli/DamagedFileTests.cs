@@ -50,7 +50,8 @@ namespace Alate.Tests.Cli
                 """;
             const string k_Free = """
                 { "version": 1, "insect": "firefly", "options": ["--free", "--pilot", "wander", "--seconds", "0.2"], "seed": 2,
-                  "parameters": [ { "key": "gust-y", "from": -2, "to": 2, "steps": 2 }, { "key": "erratic", "from": 0, "to": 1, "steps": 2 } ],
+                  "parameters": [ { "key": "gust-y", "from": -2, "to": 2, "steps": 2 },
+                    { "key": "erratic", "from": 0, "to": 1, "steps": 2 } ],
                   "repeats": 2, "measures": ["tumble_s", "lift_over_weight", "lowest_m_least"] }
                 """;
             int refused = 0;
