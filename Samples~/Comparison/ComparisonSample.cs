@@ -12,7 +12,7 @@ namespace Alate.Samples
     [DisallowMultipleComponent]
     public sealed class ComparisonSample : MonoBehaviour
     {
-        private const float k_CameraDistance = 5f;
+        private const float k_CameraDistance = 3.4f, k_Floor = 0.9f;
 
         private readonly ScreenPanel m_Panel = new ScreenPanel(320f);
         private Stage m_Stage;
@@ -26,6 +26,7 @@ namespace Alate.Samples
         {
             m_Camera = OrbitCamera.Create(transform, transform.position, k_CameraDistance);
             m_Camera.Yaw = 180f;
+            Cyclorama.Create(m_Camera, k_Floor, WingMaterial.ForVertexColours(false, false));
             m_Stage = new Stage(transform);
             m_Study = new StudyPanel(m_Stage);
             ShowSpecies();

@@ -7,7 +7,7 @@ namespace Alate.Samples
     /// <summary>The columns that are shown, side by side and in step.</summary>
     internal sealed class Stage
     {
-        private const float k_Spacing = 2f;
+        private const float k_Spacing = 1.4f;
 
         private readonly List<Stand> m_Stands = new List<Stand>();
         private readonly Transform m_Place;

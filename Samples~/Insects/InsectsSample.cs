@@ -14,7 +14,7 @@ namespace Alate.Samples
     public sealed class InsectsSample : MonoBehaviour
     {
         private const int k_Columns = 4;
-        private const float k_Spacing = 2.2f, k_CameraDistance = 4.4f;
+        private const float k_Spacing = 1.6f, k_CameraDistance = 3.3f, k_Floor = 2.2f;
 
         private static readonly string[] s_Variants = { "Standard", "Biological", "Expressive" };
 
@@ -39,6 +39,7 @@ namespace Alate.Samples
             m_Camera = OrbitCamera.Create(transform, transform.position, k_CameraDistance);
             m_Camera.Yaw = 180f;
             m_Camera.Pitch = 40f;
+            Cyclorama.Create(m_Camera, k_Floor, WingMaterial.ForVertexColours(false, false));
             Choose(m_Variant);
         }
 

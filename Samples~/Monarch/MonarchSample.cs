@@ -9,7 +9,7 @@ namespace Alate.Samples
     [DisallowMultipleComponent]
     public sealed class MonarchSample : MonoBehaviour
     {
-        private const float k_CameraDistance = 1.6f;
+        private const float k_CameraDistance = 1.15f, k_Floor = 0.6f;
 
         [SerializeField, Range(0f, 3f)]
         [Tooltip("Metres per second of flight; 1.3. 0 hovers: slower beats of half the amplitude. The drive is full from about 1.5.")]
@@ -39,7 +39,8 @@ namespace Alate.Samples
         {
             m_Insect = InsectFactory.Create("monarch");
             m_Insect.transform.SetParent(transform, false);
-            OrbitCamera.Create(transform, transform.position, k_CameraDistance);
+            var camera = OrbitCamera.Create(transform, transform.position, k_CameraDistance);
+            Cyclorama.Create(camera, k_Floor, WingMaterial.ForVertexColours(false, false));
 
             // A preset of its own, so that no other monarch is tuned along with this one.
             m_UsualElasticity = m_Insect.Preset.Stiffness.elasticity;

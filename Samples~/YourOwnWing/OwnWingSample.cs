@@ -11,7 +11,7 @@ namespace Alate.Samples
     [DisallowMultipleComponent]
     public sealed class OwnWingSample : MonoBehaviour
     {
-        private const float k_CameraDistance = 2.2f;
+        private const float k_CameraDistance = 1.8f, k_Floor = 0.9f;
 
         private static readonly string[] s_Steps =
         {
@@ -34,7 +34,8 @@ namespace Alate.Samples
 
         private void Awake()
         {
-            OrbitCamera.Create(transform, transform.position, k_CameraDistance);
+            var camera = OrbitCamera.Create(transform, transform.position, k_CameraDistance);
+            Cyclorama.Create(camera, k_Floor, WingMaterial.ForVertexColours(false, false));
             Build();
         }
 

@@ -9,6 +9,9 @@ namespace Alate.Cli;
 /// <param name="Places">[instance] From the mesh to the scene.</param>
 internal sealed record SceneItem(Mesh Mesh, int Part, Material Material, Matrix4x4[] Places)
 {
+    /// <summary>True where it stands in the way of the sun.</summary>
+    public bool CastsShadow { get; init; } = true;
+
     /// <summary>Linear light and opacity in place of the material's own; null for that.</summary>
     public float4? Colour { get; init; }
 

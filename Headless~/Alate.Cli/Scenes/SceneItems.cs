@@ -1,5 +1,6 @@
 using Unity.StandIns;
 using UnityEngine;
+using UnityEngine.Rendering;
 
 namespace Alate.Cli;
 
@@ -42,6 +43,7 @@ internal static class SceneItems
     {
         var item = new SceneItem(mesh, part, material, [renderer.localToWorldMatrix])
         {
+            CastsShadow = renderer.shadowCastingMode != ShadowCastingMode.Off,
             Colour = own.HasColor(s_Colour) ? Shading.Linear(own.GetColor("_Color")) : null,
         };
         return material.IsKeywordEnabled(CardSkins.Keyword) && mesh.HasVertexAttribute(MeshShape.JointAttribute)
@@ -51,6 +53,7 @@ internal static class SceneItems
 
     private static SceneItem Of(DrawnBatch batch) => new(batch.Mesh, batch.Submesh, batch.Material, batch.Matrices)
     {
+        CastsShadow = batch.Parameters.shadowCastingMode != ShadowCastingMode.Off,
         Tints = batch.Properties.GetValueOrDefault("_BakeTint"),
         Rows = batch.Properties.GetValueOrDefault("_BakeRows"),
         NextRows = batch.Properties.GetValueOrDefault("_BakeNextRows"),

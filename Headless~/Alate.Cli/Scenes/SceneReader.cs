@@ -52,7 +52,8 @@ internal sealed class SceneReader
                 MeshShape shown = item.Rows != null ? Loops(item.Map).Shape(shape, item.Rows[k], item.NextRows[k])
                     : item.SkinStart is { } start ? Skins(item.Map, skins).Shape(shape, start)
                     : shape;
-                found.Add(shown.Placed(item.Places[k], look with { Tint = look.Tint * item.TintOf(k) }));
+                SceneLook tinted = look with { Tint = look.Tint * item.TintOf(k) };
+                found.Add(shown.Placed(item.Places[k], tinted) with { CastsShadow = item.CastsShadow });
             }
         }
 

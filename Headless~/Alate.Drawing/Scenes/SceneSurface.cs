@@ -8,4 +8,8 @@ namespace Alate.Drawing;
 /// <param name="Colours">[vertex] Linear light and opacity; null for white.</param>
 /// <param name="Look">Its material.</param>
 internal sealed record SceneSurface(
-    float3[] Places, float3[] Normals, int[] Triangles, float2[] Coordinates, float4[] Colours, SceneLook Look);
+    float3[] Places, float3[] Normals, int[] Triangles, float2[] Coordinates, float4[] Colours, SceneLook Look)
+{
+    /// <summary>True where it stands in the way of the sun.</summary>
+    public bool CastsShadow { get; init; } = true;
+}

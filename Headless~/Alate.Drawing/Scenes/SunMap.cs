@@ -17,7 +17,7 @@ internal sealed class SunMap
     /// <summary>[cell] Height of what is nearest to the sun.</summary>
     private readonly float[] m_Heights;
 
-    /// <param name="surfaces">All that casts shadows.</param>
+    /// <param name="surfaces">What there is.</param>
     /// <param name="towards">Direction towards the sun, unit length.</param>
     /// <param name="middle">Position about which there are shadows.</param>
     /// <param name="reach">Distance from there up to which there are some, units of the scene.</param>
@@ -26,7 +26,8 @@ internal sealed class SunMap
         m_Towards = towards;
         m_Across = math.normalize(math.cross(towards, math.abs(towards.z) < 0.9f ? new float3(0f, 0f, 1f) : new float3(1f, 0f, 0f)));
         m_Along = math.cross(towards, m_Across);
-        float2[][] places = [.. surfaces.Select(surface => Array.ConvertAll(surface.Places, PlaceOf))];
+        SceneSurface[] casting = [.. surfaces.Where(surface => surface.CastsShadow)];
+        float2[][] places = [.. casting.Select(surface => Array.ConvertAll(surface.Places, PlaceOf))];
         float2 low = places.SelectMany(all => all).Aggregate(new float2(float.PositiveInfinity), math.min),
             high = places.SelectMany(all => all).Aggregate(new float2(float.NegativeInfinity), math.max);
         low = math.max(low, PlaceOf(middle) - reach);
@@ -37,7 +38,7 @@ internal sealed class SunMap
         m_Heights = new float[m_Size.x * m_Size.y];
         Array.Fill(m_Heights, float.NegativeInfinity);
         for (int k = 0; k < places.Length; k++)
-            Add(surfaces[k], Array.ConvertAll(places[k], place => (place - m_Low) / m_Cell));
+            Add(casting[k], Array.ConvertAll(places[k], place => (place - m_Low) / m_Cell));
     }
 
     /// <summary>Share of the sun's light that reaches a place, 0 to 1.</summary>

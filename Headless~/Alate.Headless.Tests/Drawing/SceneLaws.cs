@@ -132,6 +132,8 @@ public sealed class SceneLaws
                 Assert.That(map.At(new float3(x, 0f, 10f)), Is.EqualTo(inside > 0f ? 0f : 1f), $"{x}");
         }
 
+        var clear = new SunMap([floor, plate with { CastsShadow = false }], sun, new float3(0f, 0f, 10f), 40f);
+        Assert.That(clear.At(new float3(-2f, 0f, 10f)), Is.EqualTo(1f), "a plate that casts none");
         Assert.That(map.At(new float3(0f, 2f, 10f)), Is.EqualTo(1f), "the plate itself");
         Assert.That(map.At(new float3(-2f, 0f, 12f)), Is.EqualTo(1f), "beside it");
         Assert.That(map.At(new float3(99f, 0f, 10f)), Is.EqualTo(1f), "beside all");

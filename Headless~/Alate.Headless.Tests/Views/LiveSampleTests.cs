@@ -15,7 +15,7 @@ namespace Alate.Tests.Views;
 /// <summary>Samples that play for a page: what their states tell, and what a page may ask of them.</summary>
 public sealed class LiveSampleTests
 {
-    private const uint k_Skinned = 1, k_Baked = 2;
+    private const uint k_Skinned = 1, k_Baked = 2, k_Shadowless = 32;
     private const string k_Deformed = "Deformed by the graphics card";
 
     private readonly StateBuffer m_State = new();
@@ -47,6 +47,8 @@ public sealed class LiveSampleTests
             Assert.That(math.distance(told[k].Tint, expected[k].Tint), Is.LessThan(1e-5f), $"tint of {k}");
         }
 
+        Assert.That(state.Draws.Where(draw => (draw.Flags & k_Shadowless) != 0).Sum(draw => draw.Instances.Count()),
+            Is.EqualTo(shot.Surfaces.Count(surface => !surface.CastsShadow)).And.EqualTo(scene == "garden" ? 0 : 1), "walls of a studio");
         Assert.That((state.Sky, state.Equator, state.Ground, state.SunFrom, state.Sun, state.HasShadows),
             Is.EqualTo((shot.Light.Sky, shot.Light.Equator, shot.Light.Ground, shot.Light.SunFrom, shot.Light.Sun, shot.Light.HasShadows)));
         Assert.That(state.Lamps, Is.EqualTo(shot.Light.Lamps.Select(lamp => (lamp.Place, lamp.Light, lamp.Range))));

@@ -8,7 +8,8 @@ namespace Alate.Cli;
 /// </summary>
 internal sealed class SampleDraws
 {
-    private const uint k_Skinned = 1, k_Baked = 2, k_Colours = 4, k_TwoSided = 8, k_Translucent = 16;
+    private const uint k_Skinned = 1, k_Baked = 2, k_Colours = 4, k_TwoSided = 8, k_Translucent = 16,
+        k_Shadowless = 32;
 
     private readonly Dictionary<Draw, List<float4>> m_Draws = [];
 
@@ -34,7 +35,8 @@ internal sealed class SampleDraws
             Picture = maps.SeePicture(SceneLooks.PictureOf(item.Material)),
             Map = maps.SeeNumbers(item.Map, isSkinned),
             Flags = (isSkinned ? k_Skinned : 0) | (isBaked ? k_Baked : 0) | (look.ShowsColours ? k_Colours : 0)
-                | (look.IsTwoSided ? k_TwoSided : 0) | (look.IsTranslucent ? k_Translucent : 0),
+                | (look.IsTwoSided ? k_TwoSided : 0) | (look.IsTranslucent ? k_Translucent : 0)
+                | (item.CastsShadow ? 0 : k_Shadowless),
             Through = look.Through,
             Gloss = look.Gloss,
             Shine = look.Shine,

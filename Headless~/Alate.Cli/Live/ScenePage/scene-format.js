@@ -10,10 +10,11 @@
 //   u32 meshes that are gone: u32 numbers
 //   u32 textures, each: u32 number, u32 0 colours or 1 numbers, u32 width, u32 height, u8 x 4 or f32 x 4 texels, rows from below
 //   u32 textures that are gone: u32 numbers
-//   u32 draws, each: u32 mesh, part, picture, map (0 none), u32 1 skinned + 2 baked + 4 colours + 8 two-sided + 16 translucent, f32 through,
+//   u32 draws, each: u32 mesh, part, picture, map (0 none), u32 1 skinned + 2 baked + 4 colours + 8 two-sided + 16 translucent + 32 without a
+//   shadow, f32 through,
 //   gloss, shine, u32 instances, f32 x 24 an instance: three rows of the matrix, tint, and rows of the loop and of the next, or the first joint
 export const MAGIC = 0x53414c41, INSTANCE = 24;
-export const SKINNED = 1, BAKED = 2, COLOURS = 4, TWO_SIDED = 8, TRANSLUCENT = 16;
+export const SKINNED = 1, BAKED = 2, COLOURS = 4, TWO_SIDED = 8, TRANSLUCENT = 16, SHADOWLESS = 32;
 
 export function decode(buffer) {
   const view = new DataView(buffer);

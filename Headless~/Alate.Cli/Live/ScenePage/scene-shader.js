@@ -1,4 +1,4 @@
-import { BAKED, COLOURS, SKINNED, TRANSLUCENT, TWO_SIDED } from './scene-format.js';
+import { BAKED, COLOURS, SHADOWLESS, SKINNED, TRANSLUCENT, TWO_SIDED } from './scene-format.js';
 
 // The light of the package's own shader, Alate/Wing, for WebGL: light from sky, equator and ground, a sun with shadows, lamps, light that
 // passes wings, and gleams. Places stay in Unity's axes; only the picture turns Z round.
@@ -133,7 +133,7 @@ export function materials(THREE, draw, picture, map, shared) {
     defines.PICTURE = '';
   const isClear = (draw.flags & TRANSLUCENT) > 0;
   return {
-    shown: new THREE.ShaderMaterial({ vertexShader: VERTEX, fragmentShader: FRAGMENT, defines, uniforms: { ...shared, ...own }, side: THREE.DoubleSide, transparent: isClear, depthWrite: !isClear }),
-    shadow: new THREE.ShaderMaterial({ vertexShader: VERTEX, fragmentShader: 'void main() { gl_FragColor = vec4(1.0); }', defines, uniforms: own, side: THREE.DoubleSide }),
+    shown: new THREE.ShaderMaterial({ vertexShader: VERTEX, fragmentShader: FRAGMENT, defines, uniforms: { ...shared, ...own }, side: draw.flags & TWO_SIDED ? THREE.DoubleSide : THREE.FrontSide, transparent: isClear, depthWrite: !isClear }),
+    shadow: new THREE.ShaderMaterial({ vertexShader: VERTEX, fragmentShader: 'void main() { gl_FragColor = vec4(1.0); }', defines, uniforms: own, side: THREE.DoubleSide, visible: !(draw.flags & SHADOWLESS) }),
   };
 }
