@@ -26,7 +26,8 @@ const cases = {
     state.meshes.forEach(({ places }, k) => all([places.reduce((sum, value) => sum + value, 0)], [told.meshes[k].sum], `places of mesh ${k}`));
     same(state.maps.map(({ number, isNumbers, width, height, texels }) => [number, width, height, isNumbers ? texels.length / 4 : 0, isNumbers ? 0 : texels.length]), told.maps, 'textures');
     same(state.draws.map(({ mesh, part, picture, map, flags }) => [mesh, part, picture, map, flags]), told.draws.map(({ ids }) => ids), 'draws');
-    state.draws.forEach(({ shine, instances, count }, k) => {
+    state.draws.forEach(({ shine, underside, instances, count }, k) => {
+      all(underside, told.draws[k].underside, `underside ${k}`);
       all([shine, instances[3], instances[7], instances[11], instances[INSTANCE * (count - 1) + 12]], [told.draws[k].shine, ...told.draws[k].first, told.draws[k].tint], `draw ${k}`);
     });
     same(state.draws.some(({ flags }) => flags & COLOURS && flags & TWO_SIDED), true, 'ground with colours');

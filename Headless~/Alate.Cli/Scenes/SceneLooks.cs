@@ -30,7 +30,10 @@ internal sealed class SceneLooks
         return new SceneLook(
             null, tint ?? Shading.Linear(Tint(material)), Number(material, "_VertexColours") > 0.5f, Number(material, "_Cull") < 0.5f,
             Number(material, "_Translucent") > 0.5f, Number(material, "_Through"), Number(material, "_Gloss"),
-            shine > 0f ? shine : k_Shine);
+            shine > 0f ? shine : k_Shine)
+        {
+            Underside = material.HasProperty("_Underside") ? Shading.Linear(material.GetColor("_Underside")) : default,
+        };
     }
 
     /// <summary>Texture of a material; null for none.</summary>

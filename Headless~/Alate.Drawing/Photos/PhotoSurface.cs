@@ -31,6 +31,7 @@ internal sealed class PhotoSurface
     private readonly List<MarginEdge> m_Margin;
     private readonly bool m_IsThin, m_HasPattern;
     private readonly float m_HalfLine = k_HalfLine, m_LineDepth = k_Nearer;
+    private readonly float4 m_Underside;
 
     /// <summary>[vertex] Share of the light that it takes away; null for what casts no shadow.</summary>
     private readonly Lazy<float[]> m_Taken;
@@ -44,8 +45,9 @@ internal sealed class PhotoSurface
 
     private PhotoSurface(
         int index, int[] triangles, float4[] values, Func<float4, float, float4> colourOf, bool isThin, bool hasPattern,
-        List<MarginEdge> margin)
+        List<MarginEdge> margin, float4 underside = default)
     {
+        m_Underside = underside;
         m_Index = index;
         m_Triangles = triangles;
         m_Values = values;
@@ -70,10 +72,12 @@ internal sealed class PhotoSurface
     /// <param name="colourOf">Linear light and opacity of such a value, over a width in wing lengths; null is a pale membrane.</param>
     /// <param name="hasPattern">True where values are places in something fine.</param>
     /// <param name="hasEdge">False for what is nothing solid, such as moving air: it has no line around it, and no shadow.</param>
+    /// <param name="underside">Linear light towards which the lower side is paler, and how far.</param>
     public static PhotoSurface Thin(
         int index, float3[] rest, int[] triangles, float4[] values, Func<float4, float, float4> colourOf, bool hasPattern = false,
-        bool hasEdge = true) => new(
-            index, triangles, values, colourOf ?? ((_, _) => s_Membrane), true, hasPattern, hasEdge ? MeshMargin.Of(rest, triangles) : []);
+        bool hasEdge = true, float4 underside = default) => new(
+            index, triangles, values, colourOf ?? ((_, _) => s_Membrane), true, hasPattern,
+            hasEdge ? MeshMargin.Of(rest, triangles) : [], underside);
 
     /// <summary>The line around a wing alone, before all else.</summary>
     /// <param name="index">Its number among the surfaces of the picture.</param>
@@ -114,7 +118,8 @@ internal sealed class PhotoSurface
                 float4 colour = Mean(share.x * m_Values[t.x] + share.y * m_Values[t.y] + share.z * m_Values[t.z], along, softness);
                 float3 normal = math.normalizesafe(share.x * normals[t.x] + share.y * normals[t.y] + share.z * normals[t.z]);
                 float2 lit = received == null ? 1f : received(t, share);
-                grid.Add(x, y, depth, new float4(shading.Light(colour.xyz, normal, m_IsThin, lit.x, lit.y), colour.w), m_Index);
+                float3 light = shading.Light(colour.xyz, normal, m_IsThin, lit.x, lit.y, m_Underside);
+                grid.Add(x, y, depth, new float4(light, colour.w), m_Index);
             });
         }
 

@@ -34,13 +34,16 @@ internal sealed class Shading
 
     /// <summary>Light of a surface, linear.</summary>
     /// <param name="colour">Linear light, 0 to 1.</param>
-    /// <param name="normal">Unit vector on the body; which side it points to does not matter.</param>
+    /// <param name="normal">Unit vector on the body: a wing's upper side; of others which side it points to does not matter.</param>
     /// <param name="isThin">A wing, which light passes; else a body.</param>
     /// <param name="keyShare">Share of the key light that reaches it, 0 to 1.</param>
     /// <param name="skyShare">Share of the light from all around that reaches it, 0 to 1.</param>
-    public float3 Light(float3 colour, float3 normal, bool isThin, float keyShare = 1f, float skyShare = 1f)
+    /// <param name="underside">Linear light towards which the lower side of a wing is paler, and how far.</param>
+    public float3 Light(
+        float3 colour, float3 normal, bool isThin, float keyShare = 1f, float skyShare = 1f, float4 underside = default)
     {
         float facing = math.dot(normal, m_Towards);
+        colour = isThin && facing < 0f ? Below(colour, underside) : colour;
         normal = facing < 0f ? -normal : normal;
         float key = math.dot(normal, Key);
         float through = isThin ? keyShare * Through * math.max(-key, 0f) : 0f;
@@ -49,6 +52,12 @@ internal sealed class Shading
         float light = skyShare * (k_Ambient + k_Sky * normal.y) + keyShare * k_Key * math.max(key, 0f);
         return colour * (light + through * s_ThroughTint) + rim * (0.4f * colour + 0.25f) + gloss;
     }
+
+    /// <summary>Linear light of the lower side of a wing: paler by a colour where it is bright.</summary>
+    /// <param name="colour">Linear light of the upper side, 0 to 1.</param>
+    /// <param name="underside">Linear light of that colour, and how far it goes, 0 to 1.</param>
+    public static float3 Below(float3 colour, float4 underside) =>
+        math.lerp(colour, underside.xyz, underside.w * math.saturate(math.cmax(colour)));
 
     /// <summary>Linear light of a colour, and its opacity.</summary>
     public static float4 Linear(Color colour) => new(ToLinear(new float3(colour.r, colour.g, colour.b)), colour.a);

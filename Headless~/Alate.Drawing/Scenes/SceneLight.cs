@@ -21,12 +21,13 @@ internal sealed record SceneLight(
     /// <param name="look">Its material.</param>
     /// <param name="colour">Its linear light, 0 to 1.</param>
     /// <param name="place">Units of the scene.</param>
-    /// <param name="normal">Unit vector.</param>
+    /// <param name="normal">Unit vector; a wing's on its upper side.</param>
     /// <param name="toEye">Unit vector.</param>
     /// <param name="sunShare">Share of the sun's light that reaches it, 0 to 1.</param>
     public float3 Of(SceneLook look, float3 colour, float3 place, float3 normal, float3 toEye, float sunShare)
     {
-        normal = look.IsTwoSided && math.dot(normal, toEye) < 0f ? -normal : normal;
+        if (look.IsTwoSided && math.dot(normal, toEye) < 0f)
+            (normal, colour) = (-normal, Shading.Below(colour, look.Underside));
         float3 sum = colour * math.lerp(Ambient(normal), Ambient(-normal), 0.5f * look.Through);
         if (HasSun)
             sum += sunShare * Sun * Answer(look, colour, normal, toEye, SunFrom);

@@ -10,4 +10,8 @@ namespace Alate.Drawing;
 /// <param name="Gloss">Strength of its gleam, 0 to 1.</param>
 /// <param name="Shine">Narrowness of its gleam.</param>
 internal sealed record SceneLook(
-    MippedPicture Picture, float4 Tint, bool ShowsColours, bool IsTwoSided, bool IsTranslucent, float Through, float Gloss, float Shine);
+    MippedPicture Picture, float4 Tint, bool ShowsColours, bool IsTwoSided, bool IsTranslucent, float Through, float Gloss, float Shine)
+{
+    /// <summary>Linear light towards which the lower side is paler, and how far.</summary>
+    public float4 Underside { get; init; }
+}

@@ -163,6 +163,23 @@ public sealed class SceneLaws
         Assert.That(below.r, Is.EqualTo(hasShadows ? 0 : 255));
     }
 
+    // Bright colours go as far as it says, black ones stay, and the upper side has none of it.
+    [Test]
+    public void TheLowerSideOfAWing_IsPaler_WhereItIsBright()
+    {
+        var even = new SceneLight(1f, 1f, 1f, new float3(0f, 1f, 0f), 0f, false, []);
+        float3 up = new(0f, 1f, 0f), orange = new(1f, 0.3f, 0.1f), black = 0f;
+        SceneLook wing = Look(1f) with { IsTwoSided = true, Underside = new float4(0.8f, 0.7f, 0.6f, 0.5f) };
+
+        Assert.That(math.distance(even.Of(wing, orange, 0f, up, up, 1f), orange), Is.LessThan(1e-6f), "above");
+        Assert.That(math.distance(even.Of(wing, orange, 0f, up, -up, 1f), new float3(0.9f, 0.5f, 0.35f)), Is.LessThan(1e-6f), "below");
+        Assert.That(math.distance(even.Of(wing, 0.5f * orange, 0f, up, -up, 1f), new float3(0.575f, 0.2875f, 0.1875f)),
+            Is.LessThan(1e-6f), "half as bright");
+        Assert.That(math.length(even.Of(wing, black, 0f, up, -up, 1f)), Is.Zero, "a vein");
+        wing = wing with { IsTwoSided = false };
+        Assert.That(math.distance(even.Of(wing, orange, 0f, up, -up, 1f), orange), Is.LessThan(1e-6f), "a body");
+    }
+
     [TestCase(0f)]
     [TestCase(35f)]
     [TestCase(80f)]

@@ -25,7 +25,7 @@ public sealed class CycloramaLaws : PlayFixture
         for (int k = 0; k < walls.triangles.Length; k += 3)
         {
             Vector3 a = places[walls.triangles[k]], b = places[walls.triangles[k + 1]], c = places[walls.triangles[k + 2]];
-            Vector3 front = Vector3.Cross(b - a, c - a);
+            var front = Vector3.Cross(b - a, c - a);
             Assert.That(front.magnitude, Is.GreaterThan(1e-4f), $"triangle {k / 3} is none");
             Assert.That(Vector3.Dot(front.normalized, (eye - a).normalized), Is.GreaterThan(0.05f), $"triangle {k / 3}");
             foreach (Vector3 normal in walls.triangles[k..(k + 3)].Select(corner => normals[corner]))
@@ -56,7 +56,7 @@ public sealed class CycloramaLaws : PlayFixture
     {
         OrbitCamera camera = Camera();
         camera.transform.parent.rotation = Quaternion.Euler(turned, 0f, turned);
-        Cyclorama made = Cyclorama.Create(camera, k_Below, WingMaterial.ForVertexColours(false, false));
+        var made = Cyclorama.Create(camera, k_Below, WingMaterial.ForVertexColours(false, false));
 
         Assert.That(Vector3.Distance(made.transform.position, s_Target - k_Below * Vector3.up), Is.LessThan(1e-5f));
         Assert.That(Vector3.Angle(made.transform.up, Vector3.up), Is.LessThan(0.01f));

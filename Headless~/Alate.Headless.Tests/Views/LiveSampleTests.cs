@@ -45,6 +45,7 @@ public sealed class LiveSampleTests
             Assert.That(math.distance(told[k].Middle, expected[k].Middle), Is.LessThan(1e-3f), $"place of {k}");
             Assert.That(math.distance(told[k].Normal, expected[k].Normal), Is.LessThan(0.02f), $"normals of {k}");
             Assert.That(math.distance(told[k].Tint, expected[k].Tint), Is.LessThan(1e-5f), $"tint of {k}");
+            Assert.That(told[k].Underside, Is.EqualTo(expected[k].Underside), $"underside of {k}");
         }
 
         Assert.That(state.Draws.Where(draw => (draw.Flags & k_Shadowless) != 0).Sum(draw => draw.Instances.Count()),
@@ -296,25 +297,28 @@ public sealed class LiveSampleTests
         return state;
     }
 
-    private static (int Count, float3 Middle, float3 Normal, float4 Tint) Summary(SceneSurface surface)
+    private static (int Count, float3 Middle, float3 Normal, float4 Tint, float4 Underside) Summary(SceneSurface surface)
     {
         int[] used = [.. surface.Triangles.Distinct()];
-        return (surface.Triangles.Length, Mean(used, surface.Places), Mean(used, surface.Normals), surface.Look.Tint);
+        return (surface.Triangles.Length, Mean(used, surface.Places), Mean(used, surface.Normals), surface.Look.Tint,
+            surface.Look.Underside);
     }
 
-    private (int Count, float3 Middle, float3 Normal, float4 Tint) Summary(SampleState.Draw draw, SampleState.Instance instance)
+    private (int Count, float3 Middle, float3 Normal, float4 Tint, float4 Underside) Summary(
+        SampleState.Draw draw, SampleState.Instance instance)
     {
         SampleState.Mesh mesh = m_Meshes[draw.Mesh];
         int[] used = [.. mesh.Parts[draw.Part].Distinct()];
         float3x3 turn = math.inverse(new float3x3(instance.x.xyz, instance.y.xyz, instance.z.xyz));
         return (mesh.Parts[draw.Part].Length, Mean(used, Array.ConvertAll(mesh.Places, instance.Place)),
-            Mean(used, [.. mesh.Normals.Select(normal => math.normalizesafe(math.mul(turn, normal)))]), instance.tint);
+            Mean(used, [.. mesh.Normals.Select(normal => math.normalizesafe(math.mul(turn, normal)))]), instance.tint, draw.Underside);
     }
 
     private static float3 Mean(int[] used, float3[] values) =>
         used.Aggregate(float3.zero, (sum, v) => sum + values[v]) / math.max(used.Length, 1);
 
     // Insects of one kind are told apart by where they are.
-    private static (int, float, float, float) Order((int Count, float3 Middle, float3 Normal, float4 Tint) one) =>
+    private static (int, float, float, float) Order(
+        (int Count, float3 Middle, float3 Normal, float4 Tint, float4 Underside) one) =>
         (one.Count, MathF.Round(one.Middle.x, 2), MathF.Round(one.Middle.y, 2), MathF.Round(one.Middle.z, 2));
 }

@@ -86,6 +86,7 @@ public sealed class PageScriptTests : ViewFixture
         {
             ids = new[] { (int)draw.Mesh, draw.Part, (int)draw.Picture, (int)draw.Map, (int)draw.Flags },
             shine = draw.Shine,
+            underside = new[] { draw.Underside.x, draw.Underside.y, draw.Underside.z, draw.Underside.w },
             first = new[] { draw.Instances[0].x.w, draw.Instances[0].y.w, draw.Instances[0].z.w },
             tint = draw.Instances[^1].tint.x,
         }),

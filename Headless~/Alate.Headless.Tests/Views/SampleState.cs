@@ -44,6 +44,7 @@ internal sealed class SampleState
                 Through = Number(),
                 Gloss = Number(),
                 Shine = Number(),
+                Underside = new float4(Number(), Number(), Number(), Number()),
             };
             draw.Instances = Take<Instance>(Whole());
             Draws.Add(draw);
@@ -175,6 +176,8 @@ internal sealed class SampleState
         public float Gloss { get; init; }
 
         public float Shine { get; init; }
+
+        public float4 Underside { get; init; }
 
         public Instance[] Instances { get; set; }
     }

@@ -41,6 +41,7 @@ namespace Alate.Catalogue
         private static void WriteOwn(Material material, in SurfaceLook look)
         {
             material.SetSurfaceTexture(look.Texture);
+            material.SetColourIfPresent("_Underside", look.Underside);
             material.SetFloatIfPresent("_VertexColours", look.Texture == null ? 1f : 0f);
             material.SetFloatIfPresent("_Through", look.IsThin ? k_Through : 0f);
             material.SetFloatIfPresent("_Gloss", look.IsThin ? k_WingGloss : k_BodyGloss);

@@ -25,6 +25,13 @@ namespace Alate.Catalogue
                 material.SetVector(name, value);
         }
 
+        /// <summary>Sets a colour where the shader has it.</summary>
+        public static void SetColourIfPresent(this Material material, string name, Color value)
+        {
+            if (material.HasProperty(name))
+                material.SetColor(name, value);
+        }
+
         /// <summary>Returns the texture of the surface; null where there is none.</summary>
         public static Texture SurfaceTexture(this Material material)
         {

@@ -10,6 +10,12 @@ namespace Alate.Catalogue
             Texture = texture;
             IsThin = isThin;
             IsTranslucent = isTranslucent;
+            Underside = WingPattern.NoUnderside;
+        }
+
+        private SurfaceLook(in SurfaceLook look, Color underside) : this(look.Texture, look.IsThin, look.IsTranslucent)
+        {
+            Underside = underside;
         }
 
         /// <summary>The colours; null takes those of the vertices, where the shader shows them.</summary>
@@ -20,6 +26,12 @@ namespace Alate.Catalogue
 
         /// <summary>True where things behind show through, by alpha.</summary>
         public bool IsTranslucent { get; }
+
+        /// <summary>Colour towards which the lower side is paler, as <see cref="WingPattern.Underside"/>.</summary>
+        public Color Underside { get; }
+
+        /// <summary>This look with a lower side.</summary>
+        public SurfaceLook With(Color underside) => new SurfaceLook(this, underside);
 
         /// <summary>
         /// True for bodies and other solid things, which hide what is behind them and their own far side. False for translucent wings: two

@@ -8,6 +8,13 @@ float3 AlateFacing(float3 normal, float3 toEye, float isTwoSided)
     return isTwoSided > 0.5 && dot(normal, toEye) < 0 ? -normal : normal;
 }
 
+// Colour of the side that the eye sees: the lower one is paler by a colour where it is bright, so that veins stay dark.
+half3 AlateSide(half3 colour, float3 normal, float3 toEye, float isTwoSided, half4 underside)
+{
+    half share = isTwoSided > 0.5 && dot(normal, toEye) < 0 ? underside.a : 0;
+    return lerp(colour, underside.rgb, share * saturate(max(colour.r, max(colour.g, colour.b))));
+}
+
 // Light that falls on the side the eye sees, light that falls on the other side and passes through it, and a soft gleam. What passes is filtered twice by the
 // colour of the wing, as by a coloured pane.
 float3 AlateWingLight(float3 colour, float3 normal, float3 toEye, float3 toLight, float3 light, float through, float gloss, float shine)

@@ -30,6 +30,9 @@ namespace Alate.Catalogue
         }
 
         /// <inheritdoc/>
+        public override Color Underside => new Color(0.98f, 0.76f, 0.42f, 0.55f);
+
+        /// <inheritdoc/>
         public override Color ColourAt(double span, double forward, double softness)
         {
             double below = m_Seam.At(Math.Clamp(span, 0, 1)) - forward;

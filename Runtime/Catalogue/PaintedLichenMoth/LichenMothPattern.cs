@@ -46,6 +46,9 @@ namespace Alate.Catalogue
         }
 
         /// <inheritdoc/>
+        public override Color Underside => new Color(0.93f, 0.74f, 0.66f, 0.45f);
+
+        /// <inheritdoc/>
         public override Color ColourAt(double span, double forward, double softness)
         {
             double below = k_SeamStart + k_SeamSlope * span - forward;

@@ -13,6 +13,15 @@ namespace Alate.Catalogue
         /// <summary>Reach of the pattern beyond the outline, pixels: for filtering and small mipmaps.</summary>
         private const int k_Bleed = 8;
 
+        /// <summary>Underside that looks as the upper side does.</summary>
+        internal static readonly Color NoUnderside = new Color(1f, 1f, 1f, 0f);
+
+        /// <summary>
+        /// Colour towards which the lower side is paler than the upper one: as far as its alpha says where the pattern is bright, not at
+        /// all where it is black. Alpha 0 is no difference.
+        /// </summary>
+        public virtual Color Underside => NoUnderside;
+
         /// <summary>The colour at a place on the wing.</summary>
         /// <param name="span">Distance from the base along the span, wing lengths, 0 to 1.</param>
         /// <param name="forward">Distance ahead of the hinge line, wing lengths.</param>

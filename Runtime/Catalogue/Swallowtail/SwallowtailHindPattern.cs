@@ -62,6 +62,9 @@ namespace Alate.Catalogue
         }
 
         /// <inheritdoc/>
+        public override Color Underside => new Color(0.98f, 0.93f, 0.72f, 0.5f);
+
+        /// <inheritdoc/>
         public override Color ColourAt(double span, double forward, double softness)
         {
             double vein = m_Veins.Distance(span, forward, out _, SwallowtailColours.VeinReach(softness));

@@ -143,6 +143,8 @@ export class Stage {
       material.vertexColors = true;
     else
       Object.assign(material, { color: new THREE.Color(0.50, 0.27, 0.07), emissive: new THREE.Color(0.07, 0.04, 0.01) });
+    if (wing.underside)
+      material.onBeforeCompile = (shader) => paleBelow(shader, wing.underside);
     const plain = new THREE.MeshStandardMaterial({ side: THREE.DoubleSide, roughness: 0.8, vertexColors: true });
     const rim = new THREE.LineSegments(new THREE.BufferGeometry(), new THREE.LineBasicMaterial({ color: this.outline }));
     rim.geometry.setIndex(new THREE.BufferAttribute(rimOf(wholes(wing.triangles)), 1));
@@ -315,6 +317,14 @@ export function rimOf(triangles) {
     edges.set(key, edges.has(key) ? null : [a, b]);
   }
   return Uint32Array.from([...edges.values()].filter(Boolean).flat());
+}
+
+// The lower side, as the package's own shader has it: paler by a colour where it is bright.
+function paleBelow(shader, underside) {
+  shader.uniforms.underside = { value: underside };
+  shader.fragmentShader = 'uniform vec4 underside;\n' + shader.fragmentShader.replace('#include <color_fragment>', `#include <color_fragment>
+  if (!gl_FrontFacing)
+    diffuseColor.rgb = mix(diffuseColor.rgb, underside.rgb, underside.a * max(diffuseColor.r, max(diffuseColor.g, diffuseColor.b)));`);
 }
 
 function bones(wing) {

@@ -40,6 +40,7 @@ internal sealed class SampleDraws
             Through = look.Through,
             Gloss = look.Gloss,
             Shine = look.Shine,
+            Underside = look.Underside,
         };
         if (!m_Draws.TryGetValue(draw, out List<float4> instances))
             m_Draws.Add(draw, instances = []);
@@ -89,5 +90,7 @@ internal sealed class SampleDraws
         public float Gloss { get; init; }
 
         public float Shine { get; init; }
+
+        public float4 Underside { get; init; }
     }
 }

@@ -73,6 +73,7 @@ uniform sampler2D picture, shadow;
 uniform vec3 eye, sky, equator, ground, sunFrom, sun, lampLights[${LAMPS}];
 uniform vec4 lamps[${LAMPS}];
 uniform mat4 toShadow;
+uniform vec4 underside;
 uniform float through, gloss, shine, shadowCell;
 varying vec3 place, turned;
 varying vec2 where;
@@ -105,7 +106,10 @@ void main() {
 #endif
   vec3 normal = normalize(turned), toEye = normalize(eye - place);
 #ifdef TWO_SIDED
-  normal = dot(normal, toEye) < 0.0 ? -normal : normal;
+  if (dot(normal, toEye) < 0.0) {
+    normal = -normal;
+    colour.rgb = mix(colour.rgb, underside.rgb, underside.a * saturate(max(colour.r, max(colour.g, colour.b))));
+  }
 #endif
   vec3 sum = colour.rgb * mix(ambient(normal), ambient(-normal), 0.5 * through);
   sum += sunShare() * sun * answer(colour.rgb, normal, toEye, sunFrom);
@@ -124,7 +128,7 @@ void main() {
 
 // The material of what is drawn, and the one for its shadow.
 export function materials(THREE, draw, picture, map, shared) {
-  const defines = {}, own = { map: { value: map }, picture: { value: picture }, through: { value: draw.through }, gloss: { value: draw.gloss }, shine: { value: draw.shine } };
+  const defines = {}, own = { map: { value: map }, picture: { value: picture }, through: { value: draw.through }, gloss: { value: draw.gloss }, shine: { value: draw.shine }, underside: { value: draw.underside } };
   for (const [name, flag] of Object.entries({ SKINNED, BAKED, COLOURS, TWO_SIDED, TRANSLUCENT })) {
     if (draw.flags & flag)
       defines[name] = '';

@@ -107,6 +107,7 @@ internal static class SceneMessage
         ["side"] = wing.Placement.IsLeft ? "left" : "right",
         ["texture"] = texture,
         ["glass"] = wing.Wing.Texture?.IsGlass ?? wing.Wing.Colours?.Any(colour => colour.a < byte.MaxValue) ?? false,
+        ["underside"] = wing.Wing.Pattern is WingPattern pattern ? Underside(pattern) : null,
         ["chains"] = wing.ChainCount,
         ["joints"] = wing.JointsPerChain,
         ["uvs"] = wing.Wing.Surface.uvs == null ? null : Text(Array.ConvertAll(wing.Wing.Surface.uvs, uv => new Vector2(uv.x, 1f - uv.y))),
@@ -114,6 +115,12 @@ internal static class SceneMessage
         // A right wing turns once, by the mirror of glTF's axes; a left one and a mesh of a left wing once more each.
         ["triangles"] = Text(wing.IsMeshMirrored == wing.Placement.IsLeft ? Flipped(wing.Triangles) : wing.Triangles),
     };
+
+    private static JsonArray Underside(WingPattern pattern)
+    {
+        float4 paler = Shading.Linear(pattern.Underside);
+        return [paler.x, paler.y, paler.z, paler.w];
+    }
 
     private static string Text<T>(T[] values) where T : struct => Convert.ToBase64String(MemoryMarshal.AsBytes<T>(values));
 

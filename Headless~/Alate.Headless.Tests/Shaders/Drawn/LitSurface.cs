@@ -36,6 +36,7 @@ internal sealed class LitSurface
         Place = place;
         Texture = material.HasProperty("_MainTex") ? (Texture2D)material.GetTexture("_MainTex") : null;
         Tint = material.HasProperty("_Color") ? material.GetColor("_Color") : Color.white;
+        Underside = material.HasProperty("_Underside") ? material.GetColor("_Underside") : new Color(1f, 1f, 1f, 0f);
         IsClear = Number("_DstBlend") != 0f;
     }
 
@@ -59,6 +60,9 @@ internal sealed class LitSurface
 
     /// <summary>sRGB.</summary>
     public Color Tint { get; init; }
+
+    /// <summary>Colour of the lower side, sRGB, and how far it goes.</summary>
+    public Color Underside { get; }
 
     /// <summary>True where things behind it are seen through it.</summary>
     public bool IsClear { get; }

@@ -61,7 +61,14 @@ internal static class PaintedPicture
                 }
 
                 paint.w = math.lerp(1f, paint.w, surface.Number("_Translucent"));
-                normal = isTwoSided && math.dot(normal, toEye) < 0f ? -normal : normal;
+                if (isTwoSided && math.dot(normal, toEye) < 0f)
+                {
+                    normal = -normal;
+                    Color below = surface.Underside;
+                    paint.xyz += below.a * math.min(math.cmax(paint.xyz), 1f)
+                        * (LitSurface.Linear(new float3(below.r, below.g, below.b)) - paint.xyz);
+                }
+
                 float3 light = Light(surface, view.ToSun, paint.w * paint.xyz, normal, toEye) / math.max(paint.w, 1e-4f);
                 grid.Add(x, y, depth, new float4(light, surface.IsClear ? paint.w : 1f), index);
 

@@ -82,6 +82,8 @@ internal sealed class WebPictures
         uniforms["_MainTex_ST"] = [1f, 1f, 0f, 0f];
         Color tint = surface.Tint;
         uniforms["_Color"] = [.. Numbers(LitSurface.Linear(new float3(tint.r, tint.g, tint.b))), tint.a];
+        Color below = surface.Underside;
+        uniforms["_Underside"] = [.. Numbers(LitSurface.Linear(new float3(below.r, below.g, below.b))), below.a];
         if (bake != null)
             uniforms["_BakeMap_TexelSize"] = [1f / bake.width, 1f / bake.height, bake.width, bake.height];
         foreach ((string name, Vector4 value) in rows)

@@ -9,7 +9,7 @@
 
 sampler2D _MainTex;
 float4 _MainTex_ST;
-half4 _Color;
+half4 _Color, _Underside;
 half _VertexColours, _Through, _Gloss, _Shine, _Cull, _Translucent;
 
 // On phones a texture is read with half the bits unless it is declared so.

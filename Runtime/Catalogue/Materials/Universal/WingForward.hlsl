@@ -67,8 +67,8 @@ half4 Fragment(Varyings v) : SV_Target
     UNITY_SETUP_INSTANCE_ID(v);
     UNITY_SETUP_STEREO_EYE_INDEX_POST_VERTEX(v);
     half4 paint = Paint(v.colour, v.uv);
-    half3 colour = paint.rgb * paint.a * AlateTint();
     float3 toEye = GetWorldSpaceNormalizeViewDir(v.place);
+    half3 colour = AlateSide(paint.rgb, v.normal, toEye, _Cull < 0.5, _Underside) * paint.a * AlateTint();
     float3 normal = FacingNormal(v.normal, toEye);
     float3 sum = colour * lerp(SampleSH(normal), SampleSH(-normal), 0.5 * _Through);
     sum += LightOf(GetMainLight(TransformWorldToShadowCoord(v.place)), colour, normal, toEye);

@@ -10,6 +10,7 @@
 CBUFFER_START(UnityPerMaterial)
     float4 _MainTex_ST;
     half4 _Color;
+    half4 _Underside;
     half _VertexColours;
     half _Through;
     half _Gloss;

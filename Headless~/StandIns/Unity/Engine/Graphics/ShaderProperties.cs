@@ -24,8 +24,8 @@ internal static class ShaderProperties
         ],
         ["Alate/Wing"] =
         [
-            "_MainTex", "_Color", "_VertexColours", "_Through", "_Gloss", "_Shine", "_Cull", "_Translucent", "_SrcBlend", "_DstBlend",
-            "_ZWrite", "_BakeMap", "_SkinMap", "_SkinLast",
+            "_MainTex", "_Color", "_Underside", "_VertexColours", "_Through", "_Gloss", "_Shine", "_Cull", "_Translucent", "_SrcBlend",
+            "_DstBlend", "_ZWrite", "_BakeMap", "_SkinMap", "_SkinLast",
         ],
     };
 

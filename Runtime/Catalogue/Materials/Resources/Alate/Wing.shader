@@ -6,6 +6,7 @@ Shader "Alate/Wing"
     {
         [MainTexture] _MainTex ("Texture", 2D) = "white" {}
         [MainColor] _Color ("Tint", Color) = (1, 1, 1, 1)
+        _Underside ("Underside", Color) = (1, 1, 1, 0)
         [ToggleUI] _VertexColours ("Vertex Colours", Float) = 1
         _Through ("Light Through", Range(0, 1)) = 0.5
         _Gloss ("Gloss", Range(0, 1)) = 0.12
@@ -265,8 +266,8 @@ Shader "Alate/Wing"
                 UNITY_SETUP_INSTANCE_ID(i);
                 UNITY_SETUP_STEREO_EYE_INDEX_POST_VERTEX(i);
                 half4 paint = Paint(i.colour, i.uv);
-                half3 colour = paint.rgb * paint.a * AlateTint();
                 float3 toEye = normalize(UnityWorldSpaceViewDir(i.place));
+                half3 colour = AlateSide(paint.rgb, i.normal, toEye, _Cull < 0.5, _Underside) * paint.a * AlateTint();
                 float3 normal = AlateFacing(normalize(i.normal), toEye, _Cull < 0.5);
                 float3 sum = colour * lerp(ShadeSH9(half4(normal, 1)), ShadeSH9(half4(-normal, 1)), 0.5 * _Through);
                 sum += LightOf(i, colour, normal, toEye);
@@ -300,7 +301,8 @@ Shader "Alate/Wing"
                 half4 paint = Paint(i.colour, i.uv);
                 float3 toEye = normalize(UnityWorldSpaceViewDir(i.place));
                 float3 normal = AlateFacing(normalize(i.normal), toEye, _Cull < 0.5);
-                float3 sum = LightOf(i, paint.rgb * paint.a * AlateTint(), normal, toEye);
+                half3 colour = AlateSide(paint.rgb, i.normal, toEye, _Cull < 0.5, _Underside) * paint.a * AlateTint();
+                float3 sum = LightOf(i, colour, normal, toEye);
                 UNITY_APPLY_FOG_COLOR(i.fogCoord, sum, half4(0, 0, 0, 0));
                 return half4(sum, 0);
             }
