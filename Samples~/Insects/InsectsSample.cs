@@ -14,7 +14,7 @@ namespace Alate.Samples
     public sealed class InsectsSample : MonoBehaviour
     {
         private const int k_Columns = 4;
-        private const float k_Spacing = 1.6f, k_CameraDistance = 3.3f, k_Floor = 2.2f;
+        private const float k_Spacing = 1.6f, k_CameraDistance = 3.6f, k_Floor = 2.2f;
 
         private static readonly string[] s_Variants = { "Standard", "Biological", "Expressive" };
 
