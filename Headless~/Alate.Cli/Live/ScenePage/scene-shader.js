@@ -126,7 +126,7 @@ void main() {
   #include <colorspace_fragment>
 }`;
 
-// The material of what is drawn, and the one for its shadow.
+// The material of what is drawn, and the one for its shadow. Corners of what faces the eye run clockwise, as in Unity.
 export function materials(THREE, draw, picture, map, shared) {
   const defines = {}, own = { map: { value: map }, picture: { value: picture }, through: { value: draw.through }, gloss: { value: draw.gloss }, shine: { value: draw.shine }, underside: { value: draw.underside } };
   for (const [name, flag] of Object.entries({ SKINNED, BAKED, COLOURS, TWO_SIDED, TRANSLUCENT })) {
@@ -137,7 +137,7 @@ export function materials(THREE, draw, picture, map, shared) {
     defines.PICTURE = '';
   const isClear = (draw.flags & TRANSLUCENT) > 0;
   return {
-    shown: new THREE.ShaderMaterial({ vertexShader: VERTEX, fragmentShader: FRAGMENT, defines, uniforms: { ...shared, ...own }, side: draw.flags & TWO_SIDED ? THREE.DoubleSide : THREE.FrontSide, transparent: isClear, depthWrite: !isClear }),
+    shown: new THREE.ShaderMaterial({ vertexShader: VERTEX, fragmentShader: FRAGMENT, defines, uniforms: { ...shared, ...own }, side: draw.flags & TWO_SIDED ? THREE.DoubleSide : THREE.BackSide, transparent: isClear, depthWrite: !isClear }),
     shadow: new THREE.ShaderMaterial({ vertexShader: VERTEX, fragmentShader: 'void main() { gl_FragColor = vec4(1.0); }', defines, uniforms: own, side: THREE.DoubleSide, visible: !(draw.flags & SHADOWLESS) }),
   };
 }
