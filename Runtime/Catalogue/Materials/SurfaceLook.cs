@@ -5,17 +5,12 @@ namespace Alate.Catalogue
     /// <summary>Appearance of a material, independent of the shader.</summary>
     internal readonly struct SurfaceLook
     {
-        public SurfaceLook(Texture2D texture, bool isThin, bool isTranslucent)
+        public SurfaceLook(Texture2D texture, bool isThin, bool isTranslucent, Color? underside = null)
         {
             Texture = texture;
             IsThin = isThin;
             IsTranslucent = isTranslucent;
-            Underside = WingPattern.NoUnderside;
-        }
-
-        private SurfaceLook(in SurfaceLook look, Color underside) : this(look.Texture, look.IsThin, look.IsTranslucent)
-        {
-            Underside = underside;
+            Underside = underside ?? WingPattern.NoUnderside;
         }
 
         /// <summary>The colours; null takes those of the vertices, where the shader shows them.</summary>
@@ -29,9 +24,6 @@ namespace Alate.Catalogue
 
         /// <summary>Colour towards which the lower side is paler, as <see cref="WingPattern.Underside"/>.</summary>
         public Color Underside { get; }
-
-        /// <summary>This look with a lower side.</summary>
-        public SurfaceLook With(Color underside) => new SurfaceLook(this, underside);
 
         /// <summary>
         /// True for bodies and other solid things, which hide what is behind them and their own far side. False for translucent wings: two

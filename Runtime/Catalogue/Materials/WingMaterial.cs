@@ -74,8 +74,8 @@ namespace Alate.Catalogue
             int width = Math.Max(1, (int)Math.Round(textureSize / longer));
             int height = Math.Max(1, (int)Math.Round(textureSize * depth / longer));
             Color32[] pixels = wing.Painted.Get(wing.Pattern, width, height, () => wing.Pattern.Paint(outline, width, height));
-            var look = new SurfaceLook(ToTexture(wing.Name, pixels, width, height, keepPixels), true, HasClearPixels(pixels));
-            return Create(shader, wing.Name, look.With(wing.Pattern.Underside));
+            Texture2D painted = ToTexture(wing.Name, pixels, width, height, keepPixels);
+            return Create(shader, wing.Name, new SurfaceLook(painted, true, HasClearPixels(pixels), wing.Pattern.Underside));
         }
 
         /// <summary>

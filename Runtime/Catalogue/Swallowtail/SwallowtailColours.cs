@@ -9,6 +9,7 @@ namespace Alate.Catalogue
         public static readonly Color Yellow = new Color(0.96f, 0.80f, 0.33f);
         public static readonly Color Black = new Color(0.085f, 0.07f, 0.065f);
         public static readonly Color Blue = new Color(0.30f, 0.44f, 0.78f);
+        public static readonly Color Underside = new Color(0.98f, 0.93f, 0.72f, 0.5f);
         public static readonly Color Red = new Color(0.80f, 0.26f, 0.13f);
 
         private const double k_VeinHalfWidth = 0.0046, k_LeastFeature = 0.35, k_Beside = 0.014, k_GrainSize = 0.005, k_Creep = 0.045,

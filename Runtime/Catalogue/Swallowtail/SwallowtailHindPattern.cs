@@ -62,7 +62,7 @@ namespace Alate.Catalogue
         }
 
         /// <inheritdoc/>
-        public override Color Underside => new Color(0.98f, 0.93f, 0.72f, 0.5f);
+        public override Color Underside => SwallowtailColours.Underside;
 
         /// <inheritdoc/>
         public override Color ColourAt(double span, double forward, double softness)
