@@ -1,6 +1,7 @@
 using Alate.Catalogue;
 using Alate.Flight;
 using UnityEngine;
+using UnityEngine.Rendering;
 
 namespace Alate.Samples
 {
@@ -11,7 +12,8 @@ namespace Alate.Samples
     {
         private readonly InsectWings m_Wings;
         private readonly InsectFlight m_Flight;
-        private readonly Light m_Lantern;
+        private Light m_Lantern;
+        private MeshRenderer m_Glow;
         private PerchPilot m_Perch;
         private readonly float m_Delay;
 
@@ -24,8 +26,6 @@ namespace Alate.Samples
             m_Wings.StartPhase = 137.5f * number % 360f;
             m_Delay = 0.37f * number;
             m_Flight = CatalogueFlight.AddTo(m_Wings, species);
-            if (species.Name == "firefly")
-                m_Lantern = Lantern();
         }
 
         /// <summary>Help from outside in gusts, 0 to 1.</summary>
@@ -68,10 +68,16 @@ namespace Alate.Samples
             return made;
         }
 
-        /// <summary>An insect that only wanders: a firefly.</summary>
-        public static GardenInsect Wanderer(InsectDefinition species, Transform parent, FlightVolume volume, int number)
+        /// <summary>A firefly, which only wanders.</summary>
+        /// <param name="parent">Of the insect.</param>
+        /// <param name="volume">Where it flies.</param>
+        /// <param name="number">Chooses its place and its way.</param>
+        /// <param name="glow">Mesh of its flash.</param>
+        /// <param name="clear">Material of that.</param>
+        public static GardenInsect Firefly(Transform parent, FlightVolume volume, int number, Mesh glow, Material clear)
         {
-            var made = new GardenInsect(species, parent, Within(volume, number), number);
+            var made = new GardenInsect(InsectCatalogue.Find("firefly"), parent, Within(volume, number), number);
+            made.AddLantern(glow, clear);
             WanderPilot wander = made.Wander(volume, number);
             wander.Settings.speed = 0.5f;
             wander.Settings.bob = 0.1f;
@@ -87,6 +93,7 @@ namespace Alate.Samples
                 return;
             float since = Mathf.Repeat(time + m_Delay, 5.5f);
             m_Lantern.intensity = since < 0.5f ? 2f * dusk * Mathf.Sin(Mathf.PI * since / 0.5f) : 0f;
+            m_Glow.enabled = m_Lantern.intensity > 0f;
         }
 
         /// <summary>Ends the insect.</summary>
@@ -100,16 +107,20 @@ namespace Alate.Samples
             return wander;
         }
 
-        private Light Lantern()
+        private void AddLantern(Mesh glow, Material clear)
         {
             var lantern = new GameObject("Lantern");
             lantern.transform.SetParent(m_Wings.transform, false);
             lantern.transform.localPosition = new Vector3(0f, -0.03f, -0.07f);
-            Light light = lantern.AddComponent<Light>();
-            light.color = new Color(0.85f, 1f, 0.35f);
-            light.range = 2f;
-            light.intensity = 0f;
-            return light;
+            m_Lantern = lantern.AddComponent<Light>();
+            m_Lantern.color = new Color(0.85f, 1f, 0.35f);
+            m_Lantern.range = 2f;
+            m_Lantern.intensity = 0f;
+            lantern.AddComponent<MeshFilter>().sharedMesh = glow;
+            m_Glow = lantern.AddComponent<MeshRenderer>();
+            m_Glow.sharedMaterial = clear;
+            m_Glow.shadowCastingMode = ShadowCastingMode.Off;
+            m_Glow.enabled = false;
         }
 
         // Spread evenly by the golden ratio's relatives.

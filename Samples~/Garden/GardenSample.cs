@@ -14,7 +14,7 @@ namespace Alate.Samples
     [DisallowMultipleComponent]
     public sealed class GardenSample : MonoBehaviour
     {
-        private const int k_Most = 60, k_Flowers = 16;
+        private const int k_Most = 60, k_Flowers = 16, k_Fireflies = 3;
         private const float k_CameraDistance = 18f, k_GardenRadius = 16f, k_PondRadius = 52f, k_PondDepth = 8f, k_WaterDepth = 0.3f;
         private const float k_NearDistance = 5f, k_FollowRate = 3f, k_MostShy = 12f;
 
@@ -65,6 +65,7 @@ namespace Alate.Samples
         private void Awake()
         {
             m_Solid = Keep(WingMaterial.ForVertexColours(isWing: true, isTranslucent: false));
+            Material clear = Keep(WingMaterial.ForVertexColours(isWing: true, isTranslucent: true));
 
             // Before the camera, which brings a light of its own where there is no sun.
             m_Light = new GardenLight(transform);
@@ -74,15 +75,16 @@ namespace Alate.Samples
             Draw("Grass", Vector3.zero, Keep(GroundMesh.Grass(k_GardenRadius, 1)), m_Solid);
             Draw("Shore", Vector3.zero, Keep(GroundMesh.Shore(k_PondRadius, 1)), m_Solid);
             Draw("Water", k_WaterDepth * Vector3.down, Keep(GroundMesh.Water(k_GardenRadius, k_PondRadius)),
-                Keep(WingMaterial.ForVertexColours(isWing: true, isTranslucent: true)));
+                clear);
             BoxCollider ground = new GameObject("Ground Collider").AddComponent<BoxCollider>();
             ground.transform.SetParent(transform, false);
             ground.center = new Vector3(0f, -0.5f, 0f);
             ground.size = new Vector3(2f * k_GardenRadius, 1f, 2f * k_GardenRadius);
             for (int k = 0; k < k_Flowers; k++)
                 Plant(k);
-            for (int k = 0; k < 3; k++)
-                m_Others.Add(GardenInsect.Wanderer(InsectCatalogue.Find("firefly"), transform, m_Night, 100 + k));
+            Mesh glow = Keep(GlowMesh.Create());
+            for (int k = 0; k < k_Fireflies; k++)
+                m_Others.Add(GardenInsect.Firefly(transform, m_Night, 100 + k, glow, clear));
             m_Fish = new GardenFish(transform);
         }
 

@@ -211,14 +211,20 @@ public sealed class GardenSampleTests : SampleFixture<GardenSample>
         DrawnScreen.Slide("Butterflies", 0f);
         DrawnScreen.Slide("Dusk", dusk);
         float brightest = 0f;
+        int flashes = 0;
         for (int frame = 0; frame < 180; frame++)
         {
+            MeshRenderer[] glows = [.. Sample.GetComponentsInChildren<Light>().Select(light => light.GetComponent<MeshRenderer>())
+                .Where(glow => glow != null)];
+            Assert.That(glows.Select(glow => glow.enabled), Is.EqualTo(glows.Select(glow => glow.GetComponent<Light>().intensity > 0f)));
+            flashes += glows.Count(glow => glow.enabled);
             brightest = Mathf.Max(brightest, Sample.GetComponentsInChildren<Light>().Where(light => light.type == LightType.Point)
                 .Max(light => light.intensity));
             yield return null;
         }
 
         Assert.That(brightest, dusk > 0f ? Is.GreaterThan(1f) : Is.Zero);
+        Assert.That(flashes, dusk > 0f ? Is.GreaterThan(10) : Is.Zero, "a glow that is seen from afar");
     }
 
     [UnityTest]
