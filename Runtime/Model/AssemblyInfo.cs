@@ -14,4 +14,6 @@ using System.Runtime.CompilerServices;
 [assembly: InternalsVisibleTo("Alate.Editor.Tests")]
 [assembly: InternalsVisibleTo("Alate.Headless.Tests")]
 [assembly: InternalsVisibleTo("Alate.Cli")]
+[assembly: InternalsVisibleTo("Alate.Drawing")]
+[assembly: InternalsVisibleTo("Alate.Formats")]
 [assembly: InternalsVisibleTo("Alate.Benchmarks")]

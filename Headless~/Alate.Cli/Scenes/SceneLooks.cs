@@ -32,6 +32,7 @@ internal sealed class SceneLooks
             Number(material, "_Translucent") > 0.5f, Number(material, "_Through"), Number(material, "_Gloss"),
             shine > 0f ? shine : k_Shine)
         {
+            IsCut = material.IsKeywordEnabled(WingShaders.Cut),
             Underside = material.HasProperty("_Underside") ? Shading.Linear(material.GetColor("_Underside")) : default,
         };
     }

@@ -47,6 +47,9 @@ internal sealed class PhotoScene
     /// <summary>Linear light of the dots along a way.</summary>
     public static float3 TrailLight { get; } = new(0.3f, 0.27f, 0.22f);
 
+    /// <summary>A place on the body, metres, as the camera sees it.</summary>
+    public float3 Project(float3 place) => m_Camera.Project(place);
+
     /// <summary>Returns this insect from another side.</summary>
     public PhotoScene From(PictureView view) => new(view, m_Reach, m_Parts, m_ShadowReach);
 

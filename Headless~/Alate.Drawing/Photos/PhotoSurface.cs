@@ -33,6 +33,13 @@ internal sealed class PhotoSurface
     private readonly float m_HalfLine = k_HalfLine, m_LineDepth = k_Nearer;
     private readonly float4 m_Underside;
 
+    /// <summary>Returns true for values that lie on a wing whose margin is rounder than its mesh; null where the mesh ends it.</summary>
+    private readonly Func<float4, bool> m_IsWithin;
+
+    /// <summary>The rim of such a wing, and for each vertex whether it lies on it; null where the mesh ends a wing.</summary>
+    private readonly RoundedRim m_Rim;
+    private readonly bool[] m_IsRim;
+
     /// <summary>[vertex] Share of the light that it takes away; null for what casts no shadow.</summary>
     private readonly Lazy<float[]> m_Taken;
 
@@ -45,9 +52,13 @@ internal sealed class PhotoSurface
 
     private PhotoSurface(
         int index, int[] triangles, float4[] values, Func<float4, float, float4> colourOf, bool isThin, bool hasPattern,
-        List<MarginEdge> margin, float4 underside = default)
+        List<MarginEdge> margin, float4 underside = default, Func<float4, bool> isWithin = null,
+        RoundedRim rim = null)
     {
         m_Underside = underside;
+        m_IsWithin = isWithin;
+        m_Rim = rim;
+        m_IsRim = rim?.Vertices(values.Length);
         m_Index = index;
         m_Triangles = triangles;
         m_Values = values;
@@ -55,7 +66,7 @@ internal sealed class PhotoSurface
         m_IsThin = isThin;
         m_HasPattern = hasPattern;
         m_Margin = margin;
-        bool isSolid = triangles.Length > 0 && (!isThin || margin.Count > 0);
+        bool isSolid = triangles.Length > 0 && (!isThin || margin.Count > 0 || rim != null);
         float most = isThin ? 1f - Shading.Through : 1f;
         m_Taken = isSolid ? new Lazy<float[]>(() => Array.ConvertAll(values, value => most * colourOf(value, k_Blurred).w)) : null;
     }
@@ -73,11 +84,15 @@ internal sealed class PhotoSurface
     /// <param name="hasPattern">True where values are places in something fine.</param>
     /// <param name="hasEdge">False for what is nothing solid, such as moving air: it has no line around it, and no shadow.</param>
     /// <param name="underside">Linear light towards which the lower side is paler, and how far.</param>
+    /// <param name="isWithin">
+    /// Returns true for values that lie on the wing, whose margin is a smooth curve just inside the rim; null where the mesh ends it.
+    /// </param>
     public static PhotoSurface Thin(
         int index, float3[] rest, int[] triangles, float4[] values, Func<float4, float, float4> colourOf, bool hasPattern = false,
-        bool hasEdge = true, float4 underside = default) => new(
+        bool hasEdge = true, float4 underside = default, Func<float4, bool> isWithin = null) => new(
             index, triangles, values, colourOf ?? ((_, _) => s_Membrane), true, hasPattern,
-            hasEdge ? MeshMargin.Of(rest, triangles) : [], underside);
+            hasEdge && isWithin == null ? MeshMargin.Of(rest, triangles) : [], underside, isWithin,
+            isWithin == null ? null : new RoundedRim(rest, triangles));
 
     /// <summary>The line around a wing alone, before all else.</summary>
     /// <param name="index">Its number among the surfaces of the picture.</param>
@@ -110,12 +125,16 @@ internal sealed class PhotoSurface
         {
             int3 t = new(m_Triangles[k], m_Triangles[k + 1], m_Triangles[k + 2]);
             (float4 Step, int Count) along = m_HasPattern ? Squeezed(t, places) : (default, 1);
+            bool isCut = m_IsWithin != null && (m_IsRim[t.x] || m_IsRim[t.y] || m_IsRim[t.z]);
             TriangleSamples.Visit(places[t.x].xy, places[t.y].xy, places[t.z].xy, (x, y, share) =>
             {
                 float depth = math.dot(share, new float3(places[t.x].z, places[t.y].z, places[t.z].z));
                 if (!grid.IsSeen(x, y, depth))
                     return;
-                float4 colour = Mean(share.x * m_Values[t.x] + share.y * m_Values[t.y] + share.z * m_Values[t.z], along, softness);
+                float4 value = share.x * m_Values[t.x] + share.y * m_Values[t.y] + share.z * m_Values[t.z];
+                if (isCut && !m_IsWithin(value))
+                    return;
+                float4 colour = Mean(value, along, softness);
                 float3 normal = math.normalizesafe(share.x * normals[t.x] + share.y * normals[t.y] + share.z * normals[t.z]);
                 float2 lit = received == null ? 1f : received(t, share);
                 float3 light = shading.Light(colour.xyz, normal, m_IsThin, lit.x, lit.y, m_Underside);
@@ -128,6 +147,9 @@ internal sealed class PhotoSurface
             float3 colour = k_LineLight * m_ColourOf(0.5f * (m_Values[edge.A] + m_Values[edge.B]), softness).xyz;
             DrawLine(grid, places[edge.A], places[edge.B], new float4(colour, 1f));
         }
+
+        foreach ((int vertex, float3 from, float3 to) in m_Rim?.Pieces(places) ?? [])
+            DrawLine(grid, from, to, new float4(k_LineLight * m_ColourOf(m_Values[vertex], softness).xyz, 1f));
     }
 
     // The colour over a stretch of the pattern.

@@ -19,8 +19,11 @@ internal sealed record WingTexture(byte[] Png, int Width, int Height, Color32[] 
         return new WingTexture(png, file.Width, file.Height, file.Pixels);
     }
 
+    /// <summary>Use of its opacity.</summary>
+    public PictureOpacity Opacity { get; } = PictureOpacities.Of(Pixels, Width);
+
     /// <summary>True where some of it is seen through.</summary>
-    public bool IsGlass { get; } = Pixels.Any(pixel => pixel.a < byte.MaxValue);
+    public bool IsGlass => Opacity == PictureOpacity.Clear;
 
     /// <summary>The colour at texture coordinates, blended between the four pixels around; linear light and opacity.</summary>
     public float4 ColourAt(float2 uv)

@@ -12,6 +12,9 @@ namespace Alate.Drawing;
 internal sealed record SceneLook(
     MippedPicture Picture, float4 Tint, bool ShowsColours, bool IsTwoSided, bool IsTranslucent, float Through, float Gloss, float Shine)
 {
+    /// <summary>True where the opacity of the picture is the outline of what is drawn.</summary>
+    public bool IsCut { get; init; }
+
     /// <summary>Linear light towards which the lower side is paler, and how far.</summary>
     public float4 Underside { get; init; }
 }

@@ -8,6 +8,9 @@ internal sealed class ScenePicture
     /// <summary>Distance from the eye up to which there are shadows, units of the scene; that of Unity's quality settings.</summary>
     private const float k_ShadowDistance = 40f;
 
+    /// <summary>[sample of a pixel] Number of others that are covered before it where a margin covers a part of the pixel.</summary>
+    private static readonly float[] s_Covering = [4.5f, 0.5f, 7.5f, 2.5f, 8.5f, 5.5f, 6.5f, 3.5f, 1.5f];
+
     private readonly SceneCamera m_Camera;
     private readonly SceneLight m_Light;
     private readonly SunMap m_Sun;
@@ -85,7 +88,8 @@ internal sealed class ScenePicture
         float2 p = SampleGrid.k_Fineness * m_Camera.Project(a.Seen), q = SampleGrid.k_Fineness * m_Camera.Project(b.Seen),
             r = SampleGrid.k_Fineness * m_Camera.Project(c.Seen);
         float3 near = 1f / new float3(a.Seen.z, b.Seen.z, c.Seen.z);
-        float level = LevelOf(surface, a, b, c, Area(p, q, r) / (SampleGrid.k_Fineness * SampleGrid.k_Fineness), t);
+        (float level, float sharpness) = LevelOf(
+            surface, a, b, c, Area(p, q, r) / (SampleGrid.k_Fineness * SampleGrid.k_Fineness), t);
         m_Triangle++;
         TriangleSamples.Visit(p, q, r, (x, y, across) =>
         {
@@ -100,15 +104,24 @@ internal sealed class ScenePicture
             {
                 float3 weights = near * math.max(TriangleSamples.Shares(p, q, r, SampleGrid.k_Fineness * ((float2)pixel + 0.5f)), 0f);
                 weights /= math.csum(weights);
-                m_Shades[pixel.x] = At(surface, t, weights.x * a.Share + weights.y * b.Share + weights.z * c.Share, level);
+                m_Shades[pixel.x] = At(surface, t, weights.x * a.Share + weights.y * b.Share + weights.z * c.Share, level, sharpness);
                 m_Shaded[pixel.x] = (pixel.y, m_Triangle);
             }
 
-            m_Grid.Add(x, y, depth, m_Shades[pixel.x], index);
+            float4 shade = m_Shades[pixel.x];
+            if (surface.Look.IsCut)
+            {
+                int sample = y % SampleGrid.k_Fineness * SampleGrid.k_Fineness + x % SampleGrid.k_Fineness;
+                if (shade.w * s_Covering.Length <= s_Covering[sample])
+                    return;
+                shade.w = 1f;
+            }
+
+            m_Grid.Add(x, y, depth, shade, index);
         }, SampleGrid.k_Fineness * m_Camera.Size);
     }
 
-    private float4 At(SceneSurface surface, int3 t, float3 share, float level)
+    private float4 At(SceneSurface surface, int3 t, float3 share, float level, float sharpness)
     {
         SceneLook look = surface.Look;
         float3 place = Mean(surface.Places, t, share), normal = math.normalizesafe(Mean(surface.Normals, t, share)),
@@ -119,17 +132,20 @@ internal sealed class ScenePicture
         if (look.ShowsColours && surface.Colours is { } colours)
             colour *= share.x * colours[t.x] + share.y * colours[t.y] + share.z * colours[t.z];
         float sun = m_Sun?.At(place) ?? 1f;
-        return new float4(m_Light.Of(look, colour.xyz, place, normal, toEye, sun), look.IsTranslucent ? colour.w : 1f);
+        float opacity = look.IsTranslucent ? colour.w : look.IsCut ? math.saturate(sharpness * (colour.w - 0.5f) + 0.5f) : 1f;
+        return new float4(m_Light.Of(look, colour.xyz, place, normal, toEye, sun), opacity);
     }
 
-    // Texels that a pixel covers, as a level of the texture.
-    private static float LevelOf(SceneSurface surface, SceneCorner a, SceneCorner b, SceneCorner c, float pixels, int3 t)
+    // Texels that a pixel covers, as a level of the texture; and where it covers less than one, pixels along a texel.
+    private static (float Level, float Sharpness) LevelOf(
+        SceneSurface surface, SceneCorner a, SceneCorner b, SceneCorner c, float pixels, int3 t)
     {
         if (surface.Look.Picture == null || surface.Coordinates is not { } uvs || pixels <= 0f)
-            return 0f;
+            return (0f, 1f);
         float2 size = surface.Look.Picture.Size;
         float texels = Area(At(a), At(b), At(c));
-        return 0.5f * math.log2(math.max(texels / pixels, 1f));
+        float finer = 0.5f * math.log2(math.max(texels / pixels, 1e-6f));
+        return (math.max(finer, 0f), math.exp2(math.max(-finer, 0f)));
 
         float2 At(SceneCorner corner) =>
             size * (corner.Share.x * uvs[t.x] + corner.Share.y * uvs[t.y] + corner.Share.z * uvs[t.z]);

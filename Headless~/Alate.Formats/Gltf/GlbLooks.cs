@@ -29,21 +29,21 @@ internal sealed class GlbLooks(GlbBuffer buffer)
     }
 
     /// <summary>A material of its own that shows vertex colours, or one pale colour.</summary>
-    public int Plain(bool isPainted, bool isGlass, string name) => Add(GltfMaterial.Of(isPainted, isGlass, name));
+    public int Plain(bool isPainted, bool isGlass, string name) => Add(GltfMaterial.Of(isPainted, OpacityOf(isGlass), name));
 
     /// <summary>A material that shows a picture, and lets light pass in viewers that know how.</summary>
     /// <param name="png">The picture's file; a material for each array.</param>
-    /// <param name="isGlass">True where some of it is seen through.</param>
+    /// <param name="opacity">What its opacity is for.</param>
     /// <param name="name">What it shows.</param>
-    public int Of(byte[] png, bool isGlass, string name)
+    public int Of(byte[] png, PictureOpacity opacity, string name)
     {
         if (m_Painted.TryGetValue(png, out int material))
             return material;
         m_Images.Add(new JsonObject { ["name"] = name, ["bufferView"] = buffer.AddFile(png), ["mimeType"] = "image/png" });
         m_Textures.Add(new JsonObject { ["sampler"] = 0, ["source"] = m_Images.Count - 1 });
-        JsonObject look = GltfMaterial.Of(isPainted: true, isGlass, name);
+        JsonObject look = GltfMaterial.Of(isPainted: true, opacity, name);
         look["pbrMetallicRoughness"]["baseColorTexture"] = new JsonObject { ["index"] = m_Textures.Count - 1 };
-        if (!isGlass)
+        if (opacity != PictureOpacity.Clear)
             look["extensions"] = new JsonObject { [k_Transmission] = new JsonObject { ["diffuseTransmissionFactor"] = k_Passing } };
         m_Painted.Add(png, material = Add(look));
         return material;
@@ -52,7 +52,7 @@ internal sealed class GlbLooks(GlbBuffer buffer)
     /// <summary>A material that shows vertex colours as they are, in any light.</summary>
     public int Unlit(string name)
     {
-        JsonObject look = GltfMaterial.Of(isPainted: true, isGlass: true, name);
+        JsonObject look = GltfMaterial.Of(isPainted: true, PictureOpacity.Clear, name);
         look["extensions"] = new JsonObject { [k_Unlit] = new JsonObject() };
         return Add(look);
     }
@@ -71,6 +71,8 @@ internal sealed class GlbLooks(GlbBuffer buffer)
         gltf["textures"] = m_Textures;
         gltf["images"] = m_Images;
     }
+
+    private static PictureOpacity OpacityOf(bool isGlass) => isGlass ? PictureOpacity.Clear : PictureOpacity.Solid;
 
     private int Add(JsonObject material)
     {

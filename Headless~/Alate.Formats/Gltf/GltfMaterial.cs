@@ -6,11 +6,11 @@ namespace Alate.Formats;
 internal static class GltfMaterial
 {
     /// <summary>A material. Vertex colours multiply its colour, so that it is white under them; a membrane without any is pale.</summary>
-    public static JsonObject Of(bool isPainted, bool isGlass, string name) => new()
+    public static JsonObject Of(bool isPainted, PictureOpacity opacity, string name) => new()
     {
         ["name"] = name,
         ["doubleSided"] = true,
-        ["alphaMode"] = isGlass ? "BLEND" : "OPAQUE",
+        ["alphaMode"] = opacity switch { PictureOpacity.Clear => "BLEND", PictureOpacity.Cut => "MASK", _ => "OPAQUE" },
         ["pbrMetallicRoughness"] = new JsonObject
         {
             ["baseColorFactor"] = isPainted

@@ -28,7 +28,7 @@ namespace Alate.Tests.Bakes
             "24 frames a second at 10 beats make 2.4 frames a beat; a loop has whole ones, 4 to 240: 4 at --beats-per-second 6.")]
         [TestCase(
             "monarch --frames 8 --max-size 128",
-            "5522 vertices at 9 frames need a texture of 128 x 396 pixels; at most 128 x 128 are allowed: bake fewer frames or clips at "
+            "5618 vertices at 9 frames need a texture of 128 x 396 pixels; at most 128 x 128 are allowed: bake fewer frames or clips at "
             + "once, or allow a larger texture.")]
         public void BadInput_IsOneLine_AndNothingIsWritten(string arguments, string message)
         {

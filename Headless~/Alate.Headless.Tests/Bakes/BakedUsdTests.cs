@@ -126,7 +126,9 @@ public sealed class BakedUsdTests : BakedFilesFixture
         Assert.That(light, Has.Length.EqualTo(3 * monarch.Vectors("/monarch/Body.points").Length));
         Assert.That(light, Is.All.InRange(0f, 1f));
         Assert.That(light.Distinct().Count(), Is.GreaterThan(3));
-        Assert.That(monarch.Of("Shader").Where(shader => monarch.Has(shader + ".inputs:opacity.connect")), Is.Empty);
+        string[] cut = [.. monarch.Of("Shader").Where(shader => monarch.Has(shader + ".inputs:opacity.connect"))];
+        Assert.That(cut.Select(shader => monarch.Text(shader + ".inputs:opacityThreshold")), Is.Not.Empty.And.All.EqualTo("0.5"));
+        Assert.That(dragonfly.Of("Shader").Where(shader => dragonfly.Has(shader + ".inputs:opacityThreshold")), Is.Empty);
         string[] seenThrough = [.. dragonfly.Of("Shader").Select(shader => dragonfly.Text(shader + ".inputs:opacity.connect"))
             .Where(path => path != null)];
         Assert.That(seenThrough, Is.Not.Empty.And.All.EndsWith("/colour.outputs:a>"));

@@ -50,7 +50,7 @@ namespace Alate.Tests.Insects
         public void TranslucentWings_AreBlended_AndHideNothing(string shader, string textureName, BlendMode source)
         {
             var texture = new Texture2D(4, 4);
-            Material wing = WingMaterial.Create(Added(shader), "wing", new SurfaceLook(texture, true, true));
+            Material wing = WingMaterial.Create(Added(shader), "wing", new SurfaceLook(texture, true, PictureOpacity.Clear));
 
             Assert.That(wing.GetTexture(textureName), Is.SameAs(texture));
             Assert.That((BlendMode)wing.GetFloat("_SrcBlend"), Is.EqualTo(source));
@@ -62,13 +62,31 @@ namespace Alate.Tests.Insects
             Object.DestroyImmediate(texture);
         }
 
+        [TestCase("Alate/Wing", "_Cut", 1f, "_CUT")]
+        [TestCase("Universal Render Pipeline/Lit", "_AlphaClip", 1f, "_ALPHATEST_ON")]
+        [TestCase("HDRP/Lit", "_AlphaCutoffEnable", 1f, "_ALPHATEST_ON")]
+        [TestCase("Standard", "_Mode", 1f, "_ALPHATEST_ON")]
+        public void WingsThatAreCut_AreSolid_AndEndWhereTheirPictureDoes(string shader, string switched, float value, string keyword)
+        {
+            Material wing = WingMaterial.Create(Added(shader), "wing", new SurfaceLook(null, true, PictureOpacity.Cut)),
+                solid = WingMaterial.Create(Added(shader), "wing", new SurfaceLook(null, true, PictureOpacity.Solid));
+
+            Assert.That((wing.GetFloat(switched), wing.IsKeywordEnabled(keyword)), Is.EqualTo((value, true)));
+            Assert.That((solid.GetFloat(switched), solid.IsKeywordEnabled(keyword)), Is.EqualTo((0f, false)));
+            Assert.That((BlendMode)wing.GetFloat("_DstBlend"), Is.EqualTo(BlendMode.Zero));
+            Assert.That(wing.GetFloat("_ZWrite"), Is.EqualTo(1f));
+            Assert.That((wing.renderQueue, wing.GetTag("RenderType", false)), Is.EqualTo((2450, "TransparentCutout")));
+            Object.DestroyImmediate(wing);
+            Object.DestroyImmediate(solid);
+        }
+
         [TestCase("Alate/Wing")]
         [TestCase("Universal Render Pipeline/Lit")]
         [TestCase("HDRP/Lit")]
         [TestCase("Standard")]
         public void SolidBodies_AreDrawnAsSolid(string shader)
         {
-            Material body = WingMaterial.Create(Added(shader), "body", new SurfaceLook(null, false, false));
+            Material body = WingMaterial.Create(Added(shader), "body", new SurfaceLook(null, false, PictureOpacity.Solid));
 
             Assert.That((BlendMode)body.GetFloat("_SrcBlend"), Is.EqualTo(BlendMode.One));
             Assert.That((BlendMode)body.GetFloat("_DstBlend"), Is.EqualTo(BlendMode.Zero));
@@ -83,8 +101,8 @@ namespace Alate.Tests.Insects
         [TestCase("HDRP/Lit", "_CullMode")]
         public void Wings_AreSeenFromBothSides_BodiesFromOutside(string shader, string cull)
         {
-            Material wing = WingMaterial.Create(Added(shader), "wing", new SurfaceLook(null, true, false));
-            Material body = WingMaterial.Create(Added(shader), "body", new SurfaceLook(null, false, false));
+            Material wing = WingMaterial.Create(Added(shader), "wing", new SurfaceLook(null, true, PictureOpacity.Solid));
+            Material body = WingMaterial.Create(Added(shader), "body", new SurfaceLook(null, false, PictureOpacity.Solid));
 
             Assert.That((CullMode)wing.GetFloat(cull), Is.EqualTo(CullMode.Off));
             Assert.That((CullMode)body.GetFloat(cull), Is.EqualTo(CullMode.Back));
@@ -115,8 +133,8 @@ namespace Alate.Tests.Insects
             BuiltPlayer.IsRunning = true;
             Shader added = Added(shader);
             LogAssert.Expect(LogType.Warning, new Regex($"'fore wing'.*{features} of {shader}.*GameObject > Alate"));
-            Material first = WingMaterial.Create(added, "fore wing", new SurfaceLook(null, isThin, true));
-            Material second = WingMaterial.Create(added, "hind wing", new SurfaceLook(null, isThin, true));
+            Material first = WingMaterial.Create(added, "fore wing", new SurfaceLook(null, isThin, PictureOpacity.Clear));
+            Material second = WingMaterial.Create(added, "hind wing", new SurfaceLook(null, isThin, PictureOpacity.Clear));
 
             LogAssert.NoUnexpectedReceived();
             Object.DestroyImmediate(first);
@@ -124,14 +142,15 @@ namespace Alate.Tests.Insects
         }
 
         [Test]
-        public void ThePackagesShader_AndTheEditor_MissNoFeatures()
+        public void ThePackagesShader_AndTheEditor_MissNoFeatures([Values(0, 1, 2)] int opacity)
         {
-            Material editor = WingMaterial.Create(ProjectShaders.Add("HDRP/Lit"), "wing", new SurfaceLook(null, true, true));
+            var look = new SurfaceLook(null, true, (PictureOpacity)opacity);
+            Material editor = WingMaterial.Create(ProjectShaders.Add("HDRP/Lit"), "wing", look);
             BuiltPlayer.IsRunning = true;
-            Material own = WingMaterial.Create(Added(WingMaterial.ShaderName), "wing", new SurfaceLook(null, true, true));
+            Material own = WingMaterial.Create(Added(WingMaterial.ShaderName), "wing", look);
 
             LogAssert.NoUnexpectedReceived();
-            Assert.That(own.shaderKeywords, Is.Empty);
+            Assert.That(own.shaderKeywords, Is.EqualTo(look.IsCut ? new[] { "_CUT" } : new string[0]));
             Object.DestroyImmediate(editor);
             Object.DestroyImmediate(own);
         }
@@ -143,7 +162,7 @@ namespace Alate.Tests.Insects
         {
             Shader foreign = ProjectShaders.Add("Foreign/Toon", properties: properties);
             var texture = new Texture2D(4, 4);
-            Material wing = WingMaterial.Create(foreign, "wing", new SurfaceLook(texture, true, true));
+            Material wing = WingMaterial.Create(foreign, "wing", new SurfaceLook(texture, true, PictureOpacity.Clear));
 
             LogAssert.NoUnexpectedReceived();
             foreach (string name in properties.Where(name => name != "_Color"))

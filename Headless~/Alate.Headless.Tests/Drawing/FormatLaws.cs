@@ -235,9 +235,10 @@ public sealed class FormatLaws
 
         static double[] Factor(bool isPainted)
         {
-            JsonObject look = GltfMaterial.Of(isPainted, true, "name");
+            JsonObject look = GltfMaterial.Of(isPainted, PictureOpacity.Clear, "name");
             Assert.That(((string)look["name"], (string)look["alphaMode"], (bool)look["doubleSided"]), Is.EqualTo(("name", "BLEND", true)));
-            Assert.That((string)GltfMaterial.Of(isPainted, false, "name")["alphaMode"], Is.EqualTo("OPAQUE"));
+            Assert.That((string)GltfMaterial.Of(isPainted, PictureOpacity.Solid, "name")["alphaMode"], Is.EqualTo("OPAQUE"));
+            Assert.That((string)GltfMaterial.Of(isPainted, PictureOpacity.Cut, "name")["alphaMode"], Is.EqualTo("MASK"));
             JsonNode shown = look["pbrMetallicRoughness"];
             Assert.That(((double)shown["metallicFactor"], (double)shown["roughnessFactor"]), Is.EqualTo((0.0, 0.75)), "dull, no metal");
             return [.. shown["baseColorFactor"].AsArray().Select(value => (double)value)];
@@ -261,18 +262,19 @@ public sealed class FormatLaws
     }
 
     // Light passes a wing that is no glass; where all is glass the file does not ask for it.
-    [TestCase(true)]
-    [TestCase(false)]
-    public void APicture_IsALookOfItsOwn_AndAsksForWhatItUses(bool isGlass)
+    [Test]
+    public void APicture_IsALookOfItsOwn_AndAsksForWhatItUses([Values(0, 1, 2)] int of)
     {
+        var opacity = (PictureOpacity)of;
+        bool isGlass = opacity == PictureOpacity.Clear;
         var buffer = new GlbBuffer();
         var looks = new GlbLooks(buffer);
         byte[] png = [1, 2, 3], other = [4, 5];
-        int first = looks.Of(png, isGlass, "fore"), second = looks.Of(other, isGlass, "hind");
+        int first = looks.Of(png, opacity, "fore"), second = looks.Of(other, opacity, "hind");
         var gltf = new JsonObject();
         looks.WriteTo(gltf);
 
-        Assert.That((first, second, looks.Of(png, isGlass, "fore")), Is.EqualTo((0, 1, 0)));
+        Assert.That((first, second, looks.Of(png, opacity, "fore")), Is.EqualTo((0, 1, 0)));
         for (int k = 0; k < 2; k++)
         {
             JsonNode look = gltf["materials"][k], image = gltf["images"][k];

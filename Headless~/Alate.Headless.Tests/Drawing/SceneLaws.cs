@@ -246,6 +246,25 @@ public sealed class SceneLaws
         Assert.That((seen.x, seen.w), Is.EqualTo((1f, 0.5f)).Within(1e-5f));
     }
 
+    // A plate whose picture is clear but for a disc of half its width, from near by and from afar, where a texel is a part of a pixel.
+    [TestCase(1.2f, 0.03f)]
+    [TestCase(4f, 0.06f)]
+    public void WhatIsCut_EndsWhereItsPictureDoes(float distance, float error)
+    {
+        const int side = 64;
+        Color[] disc = [.. Enumerable.Range(0, side * side).Select(k =>
+            math.length(new float2(k % side + 0.5f, k / side + 0.5f) / side - 0.5f) < 0.25f ? Color.red : Color.clear)];
+        double Red(bool isCut) => Paint(Camera(default, 90f), s_Even, Facing(distance, 1f, 1f) with
+        {
+            Coordinates = [0f, new float2(1f, 0f), 1f, new float2(0f, 1f)],
+            Look = Look(1f) with { Picture = new MippedPicture(side, side, disc), IsCut = isCut },
+        }).Sum(pixel => (255 - pixel.b) / 255.0);
+
+        double half = 0.5 * k_Height / distance;
+        Assert.That(Red(true), Is.EqualTo(Math.PI * 0.25 * half * half).Within(100.0 * error).Percent);
+        Assert.That(Red(false), Is.GreaterThan(3.0 * Red(true)), "all of the plate");
+    }
+
     private static SceneCamera Camera(float3 place, float opening = 60f) =>
         new(place, quaternion.identity, opening, 0.1f, new int2(k_Width, k_Height));
 

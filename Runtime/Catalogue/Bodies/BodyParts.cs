@@ -37,6 +37,14 @@ namespace Alate.Catalogue
         /// <summary>Adds a part of the right side and its twin on the left; both share one patch of the texture.</summary>
         public BodyPatch AddPair(BodyPart right, BodyPaint paint) => Add(right, paint, true);
 
+        /// <summary>Adds a part of the right side that swings with the abdomen, and its twin on the left.</summary>
+        public BodyPatch AddAbdomenPair(BodyPart right, BodyPaint paint)
+        {
+            BodyPatch patch = AddPair(right, paint);
+            patch.isAbdomen = true;
+            return patch;
+        }
+
         /// <summary>Adds hair that grew on the right side of a patch; it takes the texture of the skin it grows on.</summary>
         public void AddFur(BodyPatch skin, BodyPart hair, BodyPaint paint) =>
             m_Patches.Add(new BodyPatch { part = hair, paint = paint, isPair = true, isAbdomen = skin.isAbdomen, shelf = skin.shelf });

@@ -12,6 +12,7 @@ namespace Alate.Catalogue
         private readonly bool m_IsFilled;
         private readonly RimScallops m_Scallops;
         private readonly WingPattern m_Pattern;
+        private MarginCut m_Margin;
 
         /// <summary>Meshes the outline of a wing.</summary>
         /// <param name="wing">A wing with an outline.</param>
@@ -29,6 +30,9 @@ namespace Alate.Catalogue
 
         /// <summary>The right wing; nobody may change it.</summary>
         public SurfaceMesh Surface { get; }
+
+        /// <summary>Its margin.</summary>
+        public MarginCut Margin => m_Margin ??= new MarginCut(Surface, m_Scale);
 
         /// <summary>Returns true where it is what the wing's numbers ask for now.</summary>
         public bool Is(WingDefinition wing, float scale) => m_Length == wing.Length && m_Scale == scale

@@ -110,6 +110,16 @@ namespace Alate.Catalogue
         /// <summary>The meshed outline; wings of one model may share it.</summary>
         internal KeptSurface Meshed { get; set; } = new KeptSurface();
 
+        /// <summary>Smooth margin of the meshed outline.</summary>
+        internal MarginCut Margin
+        {
+            get
+            {
+                float scale = (float)Length * InsectDefinition.UnitsPerMetre;
+                return Meshed.Get(this, scale).Margin;
+            }
+        }
+
         /// <summary>A picture for the texture coordinates of the mesh, a PNG file; null for none.</summary>
         internal byte[] Picture { get; set; }
 
@@ -193,6 +203,18 @@ namespace Alate.Catalogue
             for (int chain = 0; Veins != null && chain < skeleton.Chains.Length; chain++)
                 Veins[chain].WriteTo(ref skeleton.Chains[chain]);
             return skeleton;
+        }
+
+        /// <summary>
+        /// Paints the pattern for the texture coordinates of the mesh, cut along <see cref="Margin"/>, row by row from v = 0.
+        /// </summary>
+        /// <param name="width">Columns, 1 or more.</param>
+        /// <param name="height">Rows, 1 or more.</param>
+        internal Color32[] Paint(int width, int height)
+        {
+            Color32[] pixels = Pattern.Paint(Contour, width, height);
+            Margin.Apply(pixels, width, Contour);
+            return pixels;
         }
 
         /// <summary>Adds a variant by the changes it makes to the standard one.</summary>

@@ -58,6 +58,12 @@ namespace Alate.Catalogue
                 new Vector3(4.6f, -9f, -0.6f), new Vector3(4.6f, -9.5f, -1.2f) },
         };
 
+        private static readonly Vector3[] s_Clasper =
+        {
+            new Vector3(0.25f, 0.1f, -57.2f), new Vector3(0.5f, 0.35f, -58.8f), new Vector3(0.85f, 0.3f, -60.2f),
+            new Vector3(0.6f, 0.05f, -61.6f),
+        };
+
         public static InsectBody Create(WingDefinition fore, WingDefinition hind) =>
             new InsectBody(parts => Build(parts, fore.CreateSeat(), hind.CreateSeat()));
 
@@ -70,6 +76,7 @@ namespace Alate.Catalogue
             parts.AddPair(
                 Ellipsoid.Around(new Vector3(2.1f, 0.9f, 12.6f), new Vector3(1.9f, 2f, 2.3f), 12, 16), Eye);
             parts.AddAbdomen(Trunk.Through(s_Abdomen, 60, 14, ButterflyParts.Rings(k_AbdomenRings, 0.06f)), Spotted);
+            parts.AddAbdomenPair(Stalk.Along(s_Clasper, at => 0.16f + 0.34f * at * (1f - at), 5, 6), (in BodyPoint point) => s_Dark);
             ButterflyParts.AddLegs(parts, s_Legs, 0.28f, (in BodyPoint point) => s_Dark);
         }
 

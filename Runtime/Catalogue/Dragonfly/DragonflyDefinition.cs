@@ -17,6 +17,14 @@ namespace Alate.Catalogue
         private static readonly double[] s_HindTrailing = { -1.4, -7.01, -11.19, -13.82, -14.01, -13.23, -12.26, -11.09, -9.63, -7.69,
             -5.74, -4.09, -2.92 };
 
+        // Veins behind the arculus: the triangle of the fore wing, the loop of the hind wing.
+        private static readonly double[] s_ForeTriangle = { 0.16, -0.035, 0.2, -0.02, 0.27, -0.052, 0.2, -0.085, 0.16, -0.035 };
+        private static readonly double[] s_AnalLoop = { 0.13, -0.06, 0.17, -0.12, 0.21, -0.2, 0.19, -0.235, 0.155, -0.215, 0.12, -0.14,
+            0.11, -0.07 };
+
+        /// <summary>Distance of two cross veins, as a share of a vein.</summary>
+        private const double k_Cell = 0.031;
+
         public static InsectDefinition Define()
         {
             WingDefinition fore = ForeWing();
@@ -40,7 +48,7 @@ namespace Alate.Catalogue
                 TriangleCount = 440,
                 ChainPaths = ChainPath.Straight(0.462, 0.535, 0.61, 0.686, 0.757),
                 Hinge = new Vector3(2.75e-3f, 1.6e-3f, 4.6e-3f),
-                Pattern = Pattern(outline.Smoothed()),
+                Pattern = Pattern(outline.Smoothed(), 0.48, s_ForeTriangle),
             }.With(InsectVariant.Expressive, Soften).With(InsectVariant.Flight, Fly);
         }
 
@@ -52,21 +60,23 @@ namespace Alate.Catalogue
                 TriangleCount = 520,
                 ChainPaths = ChainPath.Straight(0.452, 0.538, 0.625, 0.71, 0.791),
                 Hinge = new Vector3(2.9e-3f, 1.5e-3f, -1.6e-3f),
-                Pattern = Pattern(outline.Smoothed()),
+                Pattern = Pattern(outline.Smoothed(), 0.4, s_AnalLoop),
             }.With(InsectVariant.Expressive, Soften).With(InsectVariant.Flight, Carry);
         }
 
-        private static WingPattern Pattern(WingOutline outline)
+        private static WingPattern Pattern(WingOutline outline, double nodus, double[] ofItsOwn)
         {
             VeinFan veins = new VeinFan(outline, 0.75).Add(0.30, 0.41, 0.455, 0.49, 0.53, 0.575, 0.625, 0.69, 0.77, 0.86)
                 .Fork(2, 0.66, 0.472).Fork(3, 0.6, 0.51).Fork(4, 0.55, 0.552).Fork(5, 0.5, 0.6).Fork(6, 0.45, 0.655).Fork(7, 0.5, 0.73)
                 .Fork(8, 0.5, 0.815).Fork(4, 0.72, 0.541).Fork(5, 0.68, 0.588).Fork(6, 0.64, 0.64).Fork(7, 0.66, 0.71).Fork(8, 0.66, 0.795);
             for (int vein = 0; vein < 9; vein++)
             {
-                double shift = 0.015 * (vein % 3);
-                for (double at = 0.16; at < 0.95; at += 0.045)
+                double shift = k_Cell / 3 * (vein % 3);
+                for (double at = 0.13; at < 0.97; at += k_Cell)
                     veins.Cross(vein, at + shift);
             }
+
+            veins.Curve(ofItsOwn);
 
             return new MembranePattern(outline, veins)
             {
@@ -76,6 +86,8 @@ namespace Alate.Catalogue
                 VeinHalfWidth = 0.0028,
                 CostaHalfWidth = 0.0075,
                 Stigma = new Vector2(0.845f, 0.905f),
+                StigmaVein = 2,
+                Nodus = nodus,
                 Sheen = 0.35f,
             };
         }
@@ -167,7 +179,7 @@ namespace Alate.Catalogue
                     "chosen: it brings the force of a tilted stroke back to the centre of mass, which lies 8 mm behind the "
                     + "middle of the hinges",
                     InsectVariant.Flight),
-                new InsectSource("veins, colours", "ten veins, six forks, cross veins", "drawn by us"),
+                new InsectSource("veins, colours", "ten veins, thirteen forks, cross veins, nodus, anal loop", "drawn by us"),
             };
         }
     }

@@ -36,6 +36,12 @@ namespace Alate.Catalogue
                 material.SetOverrideTag("RenderType", "Transparent");
                 material.renderQueue = look.IsThin ? (int)RenderQueue.Transparent : k_ClearBodyQueue;
             }
+
+            if (look.IsCut)
+            {
+                material.SetOverrideTag("RenderType", "TransparentCutout");
+                material.renderQueue = (int)RenderQueue.AlphaTest;
+            }
         }
 
         private static void WriteOwn(Material material, in SurfaceLook look)
@@ -47,6 +53,9 @@ namespace Alate.Catalogue
             material.SetFloatIfPresent("_Gloss", look.IsThin ? k_WingGloss : k_BodyGloss);
             material.SetFloatIfPresent("_Cull", (float)(look.IsThin ? CullMode.Off : CullMode.Back));
             material.SetFloatIfPresent("_Translucent", look.IsTranslucent ? 1f : 0f);
+            material.SetFloatIfPresent("_Cut", look.IsCut ? 1f : 0f);
+            material.SetFloatIfPresent("_AlphaToMask", look.IsCut ? 1f : 0f);
+            EnableIf(look.IsCut, material, WingShaders.Cut);
             WriteBlend(material, look, BlendMode.One);
         }
 
@@ -58,6 +67,9 @@ namespace Alate.Catalogue
             material.SetFloatIfPresent("_Cull", (float)(look.IsThin ? CullMode.Off : CullMode.Back));
             material.doubleSidedGI = look.IsThin;
             material.SetFloatIfPresent("_Surface", look.IsTranslucent ? 1f : 0f);
+            material.SetFloatIfPresent("_AlphaClip", look.IsCut ? 1f : 0f);
+            material.SetFloatIfPresent("_AlphaToMask", look.IsCut ? 1f : 0f);
+            EnableIf(look.IsCut, material, "_ALPHATEST_ON");
             WriteBlend(material, look, BlendMode.SrcAlpha);
             EnableIf(look.IsTranslucent, material, "_SURFACE_TYPE_TRANSPARENT");
         }
@@ -78,6 +90,8 @@ namespace Alate.Catalogue
             material.SetFloatIfPresent("_SurfaceType", look.IsTranslucent ? 1f : 0f);
             material.SetFloatIfPresent(
                 "_ZTestDepthEqualForOpaque", (float)(look.IsTranslucent ? CompareFunction.LessEqual : CompareFunction.Equal));
+            material.SetFloatIfPresent("_AlphaCutoffEnable", look.IsCut ? 1f : 0f);
+            EnableIf(look.IsCut, material, "_ALPHATEST_ON");
             material.SetFloatIfPresent("_TransparentZWrite", look.WritesDepth ? 1f : 0f);
             material.SetFloatIfPresent("_AlphaSrcBlend", (float)BlendMode.One);
             material.SetFloatIfPresent("_AlphaDstBlend", (float)(look.IsTranslucent ? BlendMode.OneMinusSrcAlpha : BlendMode.Zero));
@@ -87,11 +101,12 @@ namespace Alate.Catalogue
 
         private static void WriteStandard(Material material, in SurfaceLook look)
         {
-            const float fade = 2f;
+            const float cutout = 1f, fade = 2f;
             material.SetSurfaceTexture(look.Texture);
             material.SetFloatIfPresent("_Glossiness", k_Smoothness);
-            material.SetFloatIfPresent("_Mode", look.IsTranslucent ? fade : 0f);
+            material.SetFloatIfPresent("_Mode", look.IsTranslucent ? fade : look.IsCut ? cutout : 0f);
             WriteBlend(material, look, BlendMode.SrcAlpha);
+            EnableIf(look.IsCut, material, "_ALPHATEST_ON");
             EnableIf(look.IsTranslucent, material, "_ALPHABLEND_ON");
         }
 

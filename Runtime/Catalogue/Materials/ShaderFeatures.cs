@@ -14,7 +14,7 @@ namespace Alate.Catalogue
         /// <summary>Logs a warning, once for each shader and set of features.</summary>
         public static void Check(Material material)
         {
-            if (Application.isEditor || material.shaderKeywords.Length == 0)
+            if (Application.isEditor || material.shader.name == WingShaders.Own || material.shaderKeywords.Length == 0)
                 return;
             string features = string.Join(", ", material.shaderKeywords);
             if (!s_Told.Add(material.shader.name + features))

@@ -5,11 +5,11 @@ namespace Alate.Catalogue
     /// <summary>Appearance of a material, independent of the shader.</summary>
     internal readonly struct SurfaceLook
     {
-        public SurfaceLook(Texture2D texture, bool isThin, bool isTranslucent, Color? underside = null)
+        public SurfaceLook(Texture2D texture, bool isThin, PictureOpacity opacity, Color? underside = null)
         {
             Texture = texture;
             IsThin = isThin;
-            IsTranslucent = isTranslucent;
+            Opacity = opacity;
             Underside = underside ?? WingPattern.NoUnderside;
         }
 
@@ -19,8 +19,14 @@ namespace Alate.Catalogue
         /// <summary>True for a wing or fin, which is seen from both sides and lets light through; false for a closed body.</summary>
         public bool IsThin { get; }
 
+        /// <summary>Use of alpha.</summary>
+        public PictureOpacity Opacity { get; }
+
         /// <summary>True where things behind show through, by alpha.</summary>
-        public bool IsTranslucent { get; }
+        public bool IsTranslucent => Opacity == PictureOpacity.Clear;
+
+        /// <summary>True where alpha tells the outline alone.</summary>
+        public bool IsCut => Opacity == PictureOpacity.Cut;
 
         /// <summary>Colour towards which the lower side is paler, as <see cref="WingPattern.Underside"/>.</summary>
         public Color Underside { get; }

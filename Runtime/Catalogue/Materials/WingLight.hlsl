@@ -26,6 +26,22 @@ float3 AlateWingLight(float3 colour, float3 normal, float3 toEye, float3 toLight
     return light * (diffuse + passed + gleam);
 }
 
+// Share of a pixel that lies on a wing whose picture has a clear ground: its opacity at the edge, as sharp as if a texel were a pixel.
+half AlateCutShare(half alpha)
+{
+    return saturate((alpha - 0.5) / max(fwidth(alpha), 0.0001) + 0.5);
+}
+
+// Share of the light of a pixel that is the wing's: of glass as much as it is opaque. A margin leaves it to coverage.
+half AlateOpaqueShare(half alpha)
+{
+    #if defined(_CUT)
+    return 1;
+    #else
+    return alpha;
+    #endif
+}
+
 // Below 0 where a shadow lets light pass: a membrane's shadow has holes, as many as it is clear, in a pattern as fine as the shadow map's points.
 float AlateShadowHole(float alpha, float2 place)
 {

@@ -57,13 +57,13 @@ namespace Alate.Catalogue
             if (wing.Picture != null)
             {
                 Color32[] own = Decode(wing, out int columns, out int rows);
-                return Create(
-                    shader, wing.Name, new SurfaceLook(ToTexture(wing.Name, own, columns, rows, keepPixels), true, HasClearPixels(own)));
+                Texture2D picture = ToTexture(wing.Name, own, columns, rows, keepPixels);
+                return Create(shader, wing.Name, new SurfaceLook(picture, true, PictureOpacities.Of(own, columns)));
             }
 
             if (wing.Pattern == null)
             {
-                Material plain = Create(shader, wing.Name, new SurfaceLook(null, true, false));
+                Material plain = Create(shader, wing.Name, new SurfaceLook(null, true, PictureOpacity.Solid));
                 plain.SetSurfaceColour(s_Membrane);
                 return plain;
             }
@@ -73,9 +73,10 @@ namespace Alate.Catalogue
             double longer = Math.Max(depth, 1);
             int width = Math.Max(1, (int)Math.Round(textureSize / longer));
             int height = Math.Max(1, (int)Math.Round(textureSize * depth / longer));
-            Color32[] pixels = wing.Painted.Get(wing.Pattern, width, height, () => wing.Pattern.Paint(outline, width, height));
+            Color32[] pixels = wing.Painted.Get(wing.Pattern, width, height, () => wing.Paint(width, height));
             Texture2D painted = ToTexture(wing.Name, pixels, width, height, keepPixels);
-            return Create(shader, wing.Name, new SurfaceLook(painted, true, HasClearPixels(pixels), wing.Pattern.Underside));
+            return Create(
+                shader, wing.Name, new SurfaceLook(painted, true, PictureOpacities.Of(pixels, width), wing.Pattern.Underside));
         }
 
         /// <summary>
@@ -104,7 +105,7 @@ namespace Alate.Catalogue
                 texture = ToTexture(name, pixels, textureSize, textureSize, keepPixels);
             }
 
-            return Create(shader, name, new SurfaceLook(texture, false, HasClearPixels(body.colours)));
+            return Create(shader, name, new SurfaceLook(texture, false, ClearOr(HasClearPixels(body.colours))));
         }
 
         /// <summary>
@@ -115,7 +116,7 @@ namespace Alate.Catalogue
         /// <param name="isTranslucent">Whether what lies behind is seen through where alpha is below 1.</param>
         /// <exception cref="InvalidOperationException">No shader was found; the message says how to put one into the build.</exception>
         public static Material ForVertexColours(bool isWing, bool isTranslucent) =>
-            Create(RequireShader(), isWing ? "Wing" : "Body", new SurfaceLook(null, isWing, isTranslucent));
+            Create(RequireShader(), isWing ? "Wing" : "Body", new SurfaceLook(null, isWing, ClearOr(isTranslucent)));
 
         /// <summary>Frees a material that was made here, and its texture. Null is no error.</summary>
         public static void Destroy(Material material)
@@ -167,6 +168,8 @@ namespace Alate.Catalogue
         }
 
         private static bool HasClearPixels(Color32[] colours) => Array.Exists(colours, colour => colour.a < byte.MaxValue);
+
+        private static PictureOpacity ClearOr(bool isClear) => isClear ? PictureOpacity.Clear : PictureOpacity.Solid;
 
         private static void CheckSize(int size)
         {

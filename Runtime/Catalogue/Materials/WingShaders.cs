@@ -10,6 +10,9 @@ namespace Alate.Catalogue
         /// <summary>Name of the package's own shader, which shows vertex colours.</summary>
         public const string Own = "Alate/Wing";
 
+        /// <summary>Keyword of the package's shader for wings that end where their picture does.</summary>
+        public const string Cut = "_CUT";
+
         public const string UniversalLit = "Universal Render Pipeline/Lit";
         public const string HighDefinitionLit = "HDRP/Lit";
         public const string Standard = "Standard";

@@ -9,6 +9,7 @@ namespace Alate.Catalogue
     internal static class MonarchBody
     {
         private const float k_DotRadius = 0.4f, k_AbdomenRings = 8f;
+        private const int k_DottedRings = 7;
 
         private static readonly Color32 s_Black = new Color32(36, 32, 32, 255);
         private static readonly Color32 s_Fur = new Color32(84, 74, 66, 255);
@@ -80,7 +81,9 @@ namespace Alate.Catalogue
             BodyPatch thorax = parts.Add(seat.Press(Trunk.Through(s_Thorax, 20, 22)), (in BodyPoint point) => s_Black);
             var fur = new Fur { Count = 64, Length = 0.7f, Radius = 0.09f, Seed = 11, Where = place => place.y > 1.2f || place.y < -1.4f };
             parts.AddFur(thorax, fur.GrowOn(thorax.part), (in BodyPoint point) => Tint.Mix(s_Black, s_Fur, Ink.Speckle(point.Place)));
-            parts.AddAbdomen(Trunk.Through(s_Abdomen, 44, 16, ButterflyParts.Rings(k_AbdomenRings, 0.07f)), Segmented);
+            BodyPatch abdomen = parts.AddAbdomen(
+                Trunk.Through(s_Abdomen, 36, 16, ButterflyParts.Rings(k_AbdomenRings, 0.07f)), Segmented);
+            parts.AddAbdomenPair(Tufts.On(abdomen.part, AbdomenDots(), 0.45f * k_DotRadius), (in BodyPoint point) => s_Dot);
             BodyPatch head = ButterflyParts.AddHead(
                 parts, new Vector3(0f, 0.15f, 5.1f), 1.35f, (in BodyPoint point) => s_Black, (in BodyPoint point) => s_Eye);
             parts.AddPair(Tufts.On(thorax.part, s_ThoraxDots, k_DotRadius), (in BodyPoint point) => s_Dot);
@@ -88,6 +91,20 @@ namespace Alate.Catalogue
             ButterflyParts.AddTongue(parts, new Vector3(0f, -0.85f, 6.9f), 0.62f, s_Black);
             ButterflyParts.AddAntennae(parts, s_Antenna, 0.11f, 0.27f, (in BodyPoint point) => s_Black);
             ButterflyParts.AddLegs(parts, s_Legs, 0.24f, (in BodyPoint point) => s_Black);
+        }
+
+        // Two rows down each side, a dot on every ring.
+        private static Vector3[] AbdomenDots()
+        {
+            var dots = new Vector3[2 * k_DottedRings];
+            for (int ring = 0; ring < k_DottedRings; ring++)
+            {
+                float along = (float)ring / (k_DottedRings - 1), middle = -0.4f - 1.3f * along * along, z = -5.2f - 14.4f * along;
+                dots[2 * ring] = new Vector3(1.5f - 0.4f * along, middle + 0.5f, z);
+                dots[2 * ring + 1] = new Vector3(1.3f - 0.4f * along, middle - 0.9f + 0.2f * along, z);
+            }
+
+            return dots;
         }
 
         private static Color32 Segmented(in BodyPoint point)

@@ -9,7 +9,10 @@ namespace Alate.Catalogue
     /// <summary>Shapes with soft edges that patterns are drawn with, each a share from 0 outside to 1 inside.</summary>
     internal static class Ink
     {
-        private const int k_EdgeSamples = 96, k_CurveSteps = 12;
+        private const int k_EdgeSamples = 480, k_CurveSteps = 12;
+
+        /// <summary>Distance of two rows of scales over that of two scales in a row: that of equilateral triangles.</summary>
+        private const double k_RowOverSize = 0.866;
 
         /// <summary>Large odd numbers, which spread the bits of a place.</summary>
         private static readonly uint3 s_SpeckleFactors = new uint3(0x9E3779B1u, 0x85EBCA77u, 0xC2B2AE3Du);
@@ -81,11 +84,13 @@ namespace Alate.Catalogue
             float share = Within(softness, size, size);
             if (share == 0f)
                 return 0f;
-            double column = Math.Floor(x / size), row = Math.Floor(z / size);
-            double right = x / size - column, up = z / size - row;
-            double low = Scale(column, row) * (1 - right) + Scale(column + 1, row) * right;
-            double high = Scale(column, row + 1) * (1 - right) + Scale(column + 1, row + 1) * right;
-            return share * (float)(2 * (low * (1 - up) + high * up) - 1);
+
+            // Rows of scales lie half a scale beside each other, so that none of their edges runs straight across the wing.
+            double v = z / (k_RowOverSize * size), u = x / size - 0.5 * v, column = Math.Floor(u), row = Math.Floor(v), right = u - column,
+                up = v - row, beyond = right + up - 1;
+            double value = Scale(column + 1, row) * (beyond > 0 ? 1 - up : right) + Scale(column, row + 1) * (beyond > 0 ? 1 - right : up)
+                + (beyond > 0 ? Scale(column + 1, row + 1) * beyond : -Scale(column, row) * beyond);
+            return share * (float)(2 * value - 1);
         }
 
         /// <summary>Row of soft spots along an edge: 1 inside a spot, 0 outside.</summary>

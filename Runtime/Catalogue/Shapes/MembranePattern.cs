@@ -9,7 +9,8 @@ namespace Alate.Catalogue
     /// </summary>
     internal sealed class MembranePattern : WingPattern
     {
-        private const double k_LeastFeature = 0.3, k_RimWidth = 0.008, k_ThinnestShare = 0.45, k_CrossShare = 0.6, k_Stem = 0.1;
+        private const double k_LeastFeature = 0.3, k_RimWidth = 0.008, k_ThinnestShare = 0.45, k_CrossShare = 0.6, k_Stem = 0.1,
+            k_StigmaSlant = 0.6, k_KnotSlant = 0.7, k_KnotDepth = 0.045, k_KnotLength = 0.016;
 
         private static readonly Color s_Pink = new Color(0.93f, 0.66f, 0.78f);
         private static readonly Color s_Green = new Color(0.62f, 0.90f, 0.76f);
@@ -53,8 +54,11 @@ namespace Alate.Catalogue
         /// <summary>Spans between which a cell behind the leading edge is dark, the pterostigma; none where both are 0.</summary>
         public Vector2 Stigma { get; set; }
 
-        /// <summary>Depth of that cell behind the leading edge, wing lengths.</summary>
-        public double StigmaDepth { get; set; } = 0.018;
+        /// <summary>Number of the vein at which that cell ends.</summary>
+        public int StigmaVein { get; set; }
+
+        /// <summary>Span at which the leading edge is notched and a strong cross vein meets it, the nodus; 0 for none.</summary>
+        public double Nodus { get; set; }
 
         /// <summary>Strength of the sheen of thin films, pink and green by turns, 0 to 1.</summary>
         public float Sheen { get; set; }
@@ -85,12 +89,26 @@ namespace Alate.Catalogue
                 CostaHalfWidth * (1 - 0.7 * ahead), softness));
             if (Stigma.y > 0f)
                 drawn = Math.Max(drawn, 0.9f * Marked(span, forward, softness));
+            if (Nodus > 0.0)
+                drawn = Math.Max(drawn, Knot(span, forward, softness));
             return Color.Lerp(colour, Vein, drawn);
         }
 
-        private float Marked(double span, double forward, double softness) =>
-            Ink.Between(span, Stigma.x, Stigma.y, softness)
-            * Ink.Within(m_Outline.LeadingAt(Math.Clamp(span, 0, 1)) - forward, StigmaDepth, softness);
+        // Its ends lie at a slant, as the cross veins do that end it.
+        private float Marked(double span, double forward, double softness)
+        {
+            double along = Math.Clamp(span, 0, 1), behind = m_Outline.LeadingAt(along) - forward;
+            float cell = Ink.Between(span + k_StigmaSlant * behind, Stigma.x, Stigma.y, softness);
+            return cell > 0f ? cell * Ink.Within(m_Veins.ForwardOf(StigmaVein, along) - forward, 0, softness) : 0f;
+        }
+
+        private float Knot(double span, double forward, double softness)
+        {
+            double behind = m_Outline.LeadingAt(Math.Clamp(span, 0, 1)) - forward;
+            float cross = Ink.Within(Math.Abs(span - Nodus + k_KnotSlant * behind), 1.6 * VeinHalfWidth, softness)
+                * Ink.Within(behind, k_KnotDepth, softness);
+            return Math.Max(cross, Ink.Ellipse(span - Nodus, behind, k_KnotLength, 1.8 * CostaHalfWidth, softness));
+        }
 
         // Thin films turn from pink to green with their thickness, which varies from the base to the margin.
         private Color Sheened(Color colour, double span, double forward)

@@ -72,6 +72,32 @@ namespace Alate.Catalogue
             return this;
         }
 
+        /// <summary>Adds a curve of its own through points, wing lengths.</summary>
+        /// <param name="points">x, z, x, z, …</param>
+        public VeinFan Curve(params double[] points)
+        {
+            m_Strokes.Add(Ink.Smooth(points));
+            return this;
+        }
+
+        /// <summary>Place of a vein ahead of the hinge line at a span.</summary>
+        /// <param name="vein">Its number.</param>
+        /// <param name="span">Wing lengths; beyond its ends their places.</param>
+        public double ForwardOf(int vein, double span)
+        {
+            double low = 0, high = 1;
+            for (int halving = 0; halving < 30; halving++)
+            {
+                double middle = 0.5 * (low + high);
+                if (On(vein, middle).x < span)
+                    low = middle;
+                else
+                    high = middle;
+            }
+
+            return On(vein, low).z;
+        }
+
         /// <summary>Distance to the nearest vein, with the share along it; a huge number where none is within reach.</summary>
         public double Distance(double span, double forward, out double along, double reach = double.MaxValue) =>
             m_Strokes.Distance(span, forward, out along, reach);

@@ -1,4 +1,5 @@
 using System;
+using System.Collections.Generic;
 using UnityEngine;
 
 namespace Alate.Catalogue
@@ -52,8 +53,9 @@ namespace Alate.Catalogue
         /// <param name="outline">The outline to draw into.</param>
         public SwallowtailForePattern(WingOutline outline)
         {
-            m_Border.Add(Ink.Extended(Ink.Edge(outline.TrailingAt, 1, k_Tornus), k_Beyond), -k_Beyond);
-            m_Spots = new MarginSpots(m_Border, s_Tips);
+            List<double> margin = Ink.Edge(outline.TrailingAt, 1, k_Tornus);
+            m_Border.Add(Ink.Extended(margin, k_Beyond));
+            m_Spots = new MarginSpots(margin, s_Tips, default);
             m_Costa.Add(Ink.Edge(outline.LeadingAt, 0, 1));
             m_Rear.Add(Ink.Edge(outline.TrailingAt, 0, k_Tornus));
             foreach (double[] vein in s_Veins)
@@ -70,7 +72,7 @@ namespace Alate.Catalogue
         {
             double vein = m_Veins.Distance(span, forward, out _, SwallowtailColours.VeinReach(softness));
             double reach = SwallowtailColours.BorderReach(k_BorderWidth, softness);
-            double edge = m_Border.Distance(span, forward, out double along, reach);
+            double edge = m_Border.Distance(span, forward, out _, reach);
             Color colour = SwallowtailColours.Ground(span, vein, span, forward, softness);
             double fromBase = Math.Sqrt(span * span + forward * forward);
             colour = SwallowtailColours.Dusted(colour, SwallowtailColours.Black, Ink.Within(fromBase, k_BaseReach, 0.16), span, forward,
@@ -83,7 +85,7 @@ namespace Alate.Catalogue
             colour = Color.Lerp(colour, SwallowtailColours.Black, dark);
             float dust = Ink.Between(edge, 0.085, 0.125, 0.03) * (1f - SwallowtailColours.Vein(0.5 * vein, softness));
             colour = SwallowtailColours.Dusted(colour, SwallowtailColours.Yellow, 0.45f * dust, span, forward, softness);
-            return Color.Lerp(colour, SwallowtailColours.Yellow, m_Spots.At(along, edge, 0.046, 0.026, 0.0165, softness));
+            return Color.Lerp(colour, SwallowtailColours.Yellow, m_Spots.At(span, forward, 0.046, 0.026, 0.0165, softness));
         }
     }
 }

@@ -51,8 +51,9 @@ namespace Alate.Catalogue
         /// <param name="outline">The outline to draw into.</param>
         public SwallowtailHindPattern(WingOutline outline)
         {
-            m_Border.Add(Ink.Extended(Ink.Smooth(s_Margin), k_Beyond), -k_Beyond);
-            m_Spots = new MarginSpots(m_Border, s_Tips);
+            List<double> margin = Ink.Smooth(s_Margin);
+            m_Border.Add(Ink.Extended(margin, k_Beyond));
+            m_Spots = new MarginSpots(margin, s_Tips, default);
             List<double> rim = Ink.Edge(outline.LeadingAt, 0, 1);
             rim.AddRange(Ink.Edge(outline.TrailingAt, 1, 0));
             m_Rim.Add(rim);
@@ -69,7 +70,7 @@ namespace Alate.Catalogue
         {
             double vein = m_Veins.Distance(span, forward, out _, SwallowtailColours.VeinReach(softness));
             double reach = SwallowtailColours.BorderReach(k_BorderWidth, softness);
-            double edge = m_Border.Distance(span, forward, out double along, reach);
+            double edge = m_Border.Distance(span, forward, out _, reach);
             Color colour = SwallowtailColours.Ground(0.7 + forward, vein, span, forward, softness);
             double fromBase = Math.Sqrt(span * span + forward * forward);
             float dusk = Math.Max(Ink.Within(fromBase, k_BaseReach, 0.12), 0.75f * m_Body.Line(span, forward, k_FoldWidth, 0.05));
@@ -80,9 +81,9 @@ namespace Alate.Catalogue
             dark = Math.Max(dark, Ink.Within(forward, k_TailRoot, softness));
             colour = Color.Lerp(colour, SwallowtailColours.Black, dark);
             float onWing = Ink.Within(-forward, -k_TailRoot, softness);
-            float blue = m_Spots.At(along, edge, 0.155, 0.056, 0.042, 0.03) * onWing;
+            float blue = m_Spots.At(span, forward, 0.155, 0.056, 0.042, 0.03) * onWing;
             colour = SwallowtailColours.Dusted(colour, SwallowtailColours.Blue, 0.85f * blue, span, forward, softness);
-            colour = Color.Lerp(colour, SwallowtailColours.Yellow, onWing * m_Spots.At(along, edge, 0.06, 0.05, 0.027, softness));
+            colour = Color.Lerp(colour, SwallowtailColours.Yellow, onWing * m_Spots.At(span, forward, 0.06, 0.05, 0.027, softness));
             colour = Eye(colour, span - k_EyeSpan, forward - k_EyeForward, softness);
             return Color.Lerp(colour, SwallowtailColours.Black, m_Rim.Line(span, forward, k_RimWidth, softness));
         }

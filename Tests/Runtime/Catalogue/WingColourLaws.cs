@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using System.Linq;
 using Alate.Catalogue;
+using Alate.Geometry;
 using NUnit.Framework;
 using UnityEngine;
 
@@ -83,13 +84,25 @@ namespace Alate.Tests
         [Test]
         public void SpotsOfAMargin_LieHalfWayBetweenVeins()
         {
-            StrokeSet margin = new StrokeSet().Add(new[] { 0.0, 0.0, 10.0, 0.0 });
-            var spots = new MarginSpots(margin, new[] { 1.0, 0.0, 3.0, 0.0, 7.0, 0.0 });
+            double[] margin = { 0.0, 0.0, 10.0, 0.0 };
+            var spots = new MarginSpots(margin, new[] { 1.0, 0.0, 3.0, 0.0, 7.0, 0.0 }, new PlanPoint(4.0, 1.0));
             float At(double along, double edge) => spots.At(along, edge, 2.0, 0.5, 0.25, 0.01);
 
             Assert.That(new[] { At(2.0, 2.0), At(5.0, 2.0) }, Is.All.EqualTo(1f), "in both cells");
             Assert.That(new[] { At(1.0, 2.0), At(3.0, 2.0), At(7.0, 2.0), At(2.0, 0.0) }, Is.All.EqualTo(0f), "on veins and on the margin");
             Assert.That(new[] { At(2.5, 2.0), At(5.0, 2.25) }, Is.All.EqualTo(0.5f).Within(1e-4f), "as long and as wide as asked");
+        }
+
+        // Where a margin bends within less than their depth, its nearest place jumps within a spot.
+        [Test]
+        public void ASpotBesideASharpBend_IsWhole()
+        {
+            double[] margin = { 0.0, 5.0, 0.0, 0.0, 5.0, 0.0 };
+            var spots = new MarginSpots(margin, new[] { 0.0, 1.0, 3.0, 0.0 }, new PlanPoint(1.0, 1.0));
+            int seen = 0;
+            for (int k = 0; k < 200 * 200; k++)
+                seen += spots.At(k % 200 * 0.02, k / 200 * 0.02, 0.9, 0.6, 0.4, 1e-6) > 0.5f ? 1 : 0;
+            Assert.That(seen * 4e-4, Is.EqualTo(Math.PI * 0.6 * 0.4).Within(2).Percent);
         }
 
         // A spot that a margin or a neighbour clips is what one sees first on a close look.
@@ -170,8 +183,10 @@ namespace Alate.Tests
                     Stigma = new Vector2(stigma > 0f ? 0.7f : 0f, stigma),
                 }.ColourAt(span, forward, 1e-4);
 
+            double vein = new VeinFan(plate, 0.0).Add(0.6).ForwardOf(0, 0.55);
             Assert.That(Of(0f, 0.8f, 0.75, 0.1 - 0.016).a, Is.GreaterThan(0.9f), "the cell behind the leading edge");
-            foreach ((double span, double forward) in new[] { (0.65, 0.084), (0.85, 0.084), (0.75, 0.07) })
+            Assert.That(Of(0f, 0.8f, 0.55, vein + 0.02).a, Is.GreaterThan(0.85f), "as far as the vein, at a slant");
+            foreach ((double span, double forward) in new[] { (0.65, 0.084), (0.85, 0.084), (0.55, vein - 0.02) })
                 Assert.That(Of(0f, 0.8f, span, forward).a, Is.EqualTo(0.3f).Within(1e-4f), "and none beside it");
             float reddest = 0f, greenest = 0f;
             for (double span = 0.3; span < 0.95; span += 0.01)

@@ -104,7 +104,7 @@ internal sealed class BakeScene
         if (m_MaterialOf.TryGetValue(part, out int material))
             return material;
         material = m_Pictures.Of(part) is { } picture
-            ? m_Looks.Of(picture.Png, picture.IsGlass, part.Name)
+            ? m_Looks.Of(picture.Png, picture.Opacity, part.Name)
             : m_Looks.Plain(part.HasColours, BakePictures.IsGlass(m_Bake, part), part.Name);
         m_MaterialOf.Add(part, material);
         return material;

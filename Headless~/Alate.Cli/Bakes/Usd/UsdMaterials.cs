@@ -90,10 +90,12 @@ internal sealed class UsdMaterials
         else
             text.Set("color3f inputs:diffuseColor", Tuple(FileColours.Membrane));
         text.Set("float inputs:metallic", "0");
-        if (look.IsGlass)
+        if (look.IsGlass || look.IsCut)
         {
             text.Set("float inputs:opacity.connect", isPicture ? $"<{path}/{k_Colour}.outputs:a>" : $"<{path}/{k_Reader}.outputs:result>");
         }
+        if (look.IsCut)
+            text.Set("float inputs:opacityThreshold", "0.5");
         text.Set("float inputs:roughness", UsdaWriter.Number(FileColours.Roughness));
         text.Declare("token outputs:surface");
         text.End();
@@ -108,7 +110,7 @@ internal sealed class UsdMaterials
         text.Set("float2 inputs:st.connect", $"<{path}/{k_Reader}.outputs:result>");
         text.Set("token inputs:wrapS", UsdaWriter.Text("clamp"));
         text.Set("token inputs:wrapT", UsdaWriter.Text("clamp"));
-        if (look.IsGlass)
+        if (look.IsGlass || look.IsCut)
             text.Declare("float outputs:a");
         text.Declare("float3 outputs:rgb");
         text.End();
@@ -144,5 +146,8 @@ internal sealed class UsdMaterials
     {
         /// <summary>File of the picture.</summary>
         public string File => Name + ".png";
+
+        /// <summary>True where the opacity of the picture is the wing's outline.</summary>
+        public bool IsCut => Picture?.Opacity == PictureOpacity.Cut;
     }
 }

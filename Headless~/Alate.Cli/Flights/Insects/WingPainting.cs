@@ -21,7 +21,7 @@ internal static class WingPainting
         int height = 1;
         while (height < k_Width && 1.4 * height < k_Width * depth)
             height *= 2;
-        Color32[] pixels = wing.Pattern.Paint(wing.Contour, k_Width, height);
+        Color32[] pixels = wing.Paint(k_Width, height);
         var picture = new Texture2D(k_Width, height);
         picture.SetPixels32(pixels);
         byte[] png = picture.EncodeToPNG();

@@ -35,7 +35,8 @@ internal static class FlightPhoto
         if (own.Pattern is WingPattern pattern)
         {
             return Thin(Array.ConvertAll(own.Surface.positions, place => new float4(place, 0f) / own.PatternScale),
-                (place, softness) => Shading.Linear(pattern.ColourAt(place.x, place.z, softness)), true, Shading.Linear(pattern.Underside));
+                (place, softness) => Shading.Linear(pattern.ColourAt(place.x, place.z, softness)), true, Shading.Linear(pattern.Underside),
+                own.Definition?.Margin is { } margin ? place => margin.Contains(place.x, place.z) : null);
         }
         if (own.Surface.uvs != null && own.Texture is WingTexture picture)
             return Thin(Array.ConvertAll(own.Surface.uvs, uv => new float4(uv, 0f, 0f)), (place, _) => picture.ColourAt(place.xy), true);
@@ -43,8 +44,9 @@ internal static class FlightPhoto
             ? Thin(Array.ConvertAll(own.Colours, colour => Shading.Linear(colour)), (colour, _) => colour)
             : Thin(new float4[wing.Rest.Length], null);
 
-        PhotoSurface Thin(float4[] values, Func<float4, float, float4> colourOf, bool hasPattern = false, float4 underside = default) =>
-            PhotoSurface.Thin(index, wing.Rest, wing.Triangles, values, colourOf, hasPattern, underside: underside);
+        PhotoSurface Thin(float4[] values, Func<float4, float, float4> colourOf, bool hasPattern = false, float4 underside = default,
+            Func<float4, bool> isWithin = null) => PhotoSurface.Thin(
+                index, wing.Rest, wing.Triangles, values, colourOf, hasPattern, underside: underside, isWithin: isWithin);
     }
 
     /// <summary>A scene with lines around the wings of another flight of the same insect, before all else.</summary>

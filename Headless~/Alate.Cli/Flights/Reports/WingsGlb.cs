@@ -87,7 +87,7 @@ internal sealed class WingsGlb
             attributes["TEXCOORD_0"] = m_Scene.Buffer.AddPairs(Array.ConvertAll(surface.uvs, uv => new float2(uv.x, 1f - uv.y)));
         int material = texture == null
             ? m_Looks.Plain(wing.Wing.Colours != null, IsGlass(indices, wing.Wing.Colours))
-            : m_Looks.Of(texture.Png, texture.IsGlass, wing.Wing.Name);
+            : m_Looks.Of(texture.Png, texture.Opacity, wing.Wing.Name);
         JsonObject primitive = m_Scene.Primitive(attributes, indices, rest.Length, material);
         var targets = new JsonArray();
         for (int key = 1; key < k_KeyFrames; key++)

@@ -135,7 +135,7 @@ export class Stage {
     if (wing.uvs)
       geometry.setAttribute('uv', new THREE.BufferAttribute(floats(wing.uvs), 2));
     const painted = wing.colours ? colours(wing.colours) : null;
-    const material = new THREE.MeshStandardMaterial({ side: THREE.DoubleSide, roughness: 0.7, transparent: wing.glass, depthWrite: !wing.glass });
+    const material = new THREE.MeshStandardMaterial({ side: THREE.DoubleSide, roughness: 0.7, transparent: wing.glass, depthWrite: !wing.glass, alphaTest: wing.cut ? 0.5 : 0, alphaToCoverage: !!wing.cut });
     // Light from behind shines through a wing.
     if (texture)
       Object.assign(material, { map: texture, emissiveMap: texture, emissive: new THREE.Color(0.22, 0.2, 0.17) });

@@ -9,7 +9,7 @@ namespace Alate.Cli;
 internal sealed class SampleDraws
 {
     private const uint k_Skinned = 1, k_Baked = 2, k_Colours = 4, k_TwoSided = 8, k_Translucent = 16,
-        k_Shadowless = 32;
+        k_Shadowless = 32, k_Cut = 64;
 
     private readonly Dictionary<Draw, List<float4>> m_Draws = [];
 
@@ -36,7 +36,7 @@ internal sealed class SampleDraws
             Map = maps.SeeNumbers(item.Map, isSkinned),
             Flags = (isSkinned ? k_Skinned : 0) | (isBaked ? k_Baked : 0) | (look.ShowsColours ? k_Colours : 0)
                 | (look.IsTwoSided ? k_TwoSided : 0) | (look.IsTranslucent ? k_Translucent : 0)
-                | (item.CastsShadow ? 0 : k_Shadowless),
+                | (item.CastsShadow ? 0 : k_Shadowless) | (look.IsCut ? k_Cut : 0),
             Through = look.Through,
             Gloss = look.Gloss,
             Shine = look.Shine,

@@ -11,9 +11,9 @@
 //   u32 textures, each: u32 number, u32 0 colours or 1 numbers, u32 width, u32 height, u8 x 4 or f32 x 4 texels, rows from below
 //   u32 textures that are gone: u32 numbers
 //   u32 draws, each: u32 mesh, part, picture, map (0 none), u32 1 skinned + 2 baked + 4 colours + 8 two-sided + 16 translucent + 32 without a
-//   shadow, f32 through, gloss, shine, f32 x 4 underside, u32 instances, f32 x 24 an instance: three rows of the matrix, tint, and rows of the loop and of the next, or the first joint
+//   shadow + 64 cut by opacity, f32 through, gloss, shine, f32 x 4 underside, u32 instances, f32 x 24 an instance: three rows of the matrix, tint, and rows of the loop and of the next, or the first joint
 export const MAGIC = 0x53414c41, INSTANCE = 24;
-export const SKINNED = 1, BAKED = 2, COLOURS = 4, TWO_SIDED = 8, TRANSLUCENT = 16, SHADOWLESS = 32;
+export const SKINNED = 1, BAKED = 2, COLOURS = 4, TWO_SIDED = 8, TRANSLUCENT = 16, SHADOWLESS = 32, CUT = 64;
 
 export function decode(buffer) {
   const view = new DataView(buffer);

@@ -1,4 +1,4 @@
-import { BAKED, COLOURS, SHADOWLESS, SKINNED, TRANSLUCENT, TWO_SIDED } from './scene-format.js';
+import { BAKED, COLOURS, CUT, SHADOWLESS, SKINNED, TRANSLUCENT, TWO_SIDED } from './scene-format.js';
 
 // The light of the package's own shader, Alate/Wing, for WebGL: light from sky, equator and ground, a sun with shadows, lamps, light that
 // passes wings, and gleams. Places stay in Unity's axes; only the picture turns Z round.
@@ -104,6 +104,11 @@ void main() {
 #ifdef PICTURE
   colour *= texture2D(picture, where);
 #endif
+#ifdef CUT
+  colour.a = saturate((colour.a - 0.5) / max(fwidth(colour.a), 1e-4) + 0.5);
+  if (colour.a < 0.02)
+    discard;
+#endif
   vec3 normal = normalize(turned), toEye = normalize(eye - place);
 #ifdef TWO_SIDED
   if (dot(normal, toEye) < 0.0) {
@@ -120,16 +125,27 @@ void main() {
       sum += (1.0 - share * share) * (1.0 - share * share) / square * lampLights[k] * answer(colour.rgb, normal, toEye, normalize(way));
   }
   gl_FragColor = vec4(sum, colour.a);
-#ifndef TRANSLUCENT
+#if !defined(TRANSLUCENT) && !defined(CUT)
   gl_FragColor.a = 1.0;
 #endif
   #include <colorspace_fragment>
 }`;
 
+const SHADE = `
+uniform sampler2D picture;
+varying vec2 where;
+void main() {
+#if defined(CUT) && defined(PICTURE)
+  if (texture2D(picture, where).a < 0.5)
+    discard;
+#endif
+  gl_FragColor = vec4(1.0);
+}`;
+
 // The material of what is drawn, and the one for its shadow. Corners of what faces the eye run clockwise, as in Unity.
 export function materials(THREE, draw, picture, map, shared) {
   const defines = {}, own = { map: { value: map }, picture: { value: picture }, through: { value: draw.through }, gloss: { value: draw.gloss }, shine: { value: draw.shine }, underside: { value: draw.underside } };
-  for (const [name, flag] of Object.entries({ SKINNED, BAKED, COLOURS, TWO_SIDED, TRANSLUCENT })) {
+  for (const [name, flag] of Object.entries({ SKINNED, BAKED, COLOURS, TWO_SIDED, TRANSLUCENT, CUT })) {
     if (draw.flags & flag)
       defines[name] = '';
   }
@@ -137,7 +153,7 @@ export function materials(THREE, draw, picture, map, shared) {
     defines.PICTURE = '';
   const isClear = (draw.flags & TRANSLUCENT) > 0;
   return {
-    shown: new THREE.ShaderMaterial({ vertexShader: VERTEX, fragmentShader: FRAGMENT, defines, uniforms: { ...shared, ...own }, side: draw.flags & TWO_SIDED ? THREE.DoubleSide : THREE.BackSide, transparent: isClear, depthWrite: !isClear }),
-    shadow: new THREE.ShaderMaterial({ vertexShader: VERTEX, fragmentShader: 'void main() { gl_FragColor = vec4(1.0); }', defines, uniforms: own, side: THREE.DoubleSide, visible: !(draw.flags & SHADOWLESS) }),
+    shown: new THREE.ShaderMaterial({ vertexShader: VERTEX, fragmentShader: FRAGMENT, defines, uniforms: { ...shared, ...own }, side: draw.flags & TWO_SIDED ? THREE.DoubleSide : THREE.BackSide, transparent: isClear, depthWrite: !isClear, alphaToCoverage: (draw.flags & CUT) > 0 }),
+    shadow: new THREE.ShaderMaterial({ vertexShader: VERTEX, fragmentShader: SHADE, defines, uniforms: own, side: THREE.DoubleSide, visible: !(draw.flags & SHADOWLESS) }),
   };
 }

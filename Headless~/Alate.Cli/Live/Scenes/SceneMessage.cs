@@ -107,6 +107,7 @@ internal static class SceneMessage
         ["side"] = wing.Placement.IsLeft ? "left" : "right",
         ["texture"] = texture,
         ["glass"] = wing.Wing.Texture?.IsGlass ?? wing.Wing.Colours?.Any(colour => colour.a < byte.MaxValue) ?? false,
+        ["cut"] = wing.Wing.Texture?.Opacity == PictureOpacity.Cut,
         ["underside"] = wing.Wing.Pattern is WingPattern pattern ? Underside(pattern) : null,
         ["chains"] = wing.ChainCount,
         ["joints"] = wing.JointsPerChain,

@@ -62,7 +62,7 @@ public sealed class WingPictureTests : CrowdFixture
         LitSurface[] surfaces = [.. insect.GetComponentsInChildren<MeshRenderer>().Select(Surface)];
         Assert.That(surfaces, Has.Length.GreaterThan(2));
         var pictures = new WebPictures();
-        int[] programs = [pictures.Add(WebStages.Of(false)), pictures.Add(WebStages.Of(true))];
+        int[] programs = [pictures.Add(false), pictures.Add(true)];
         SheetView[] views = Array.ConvertAll(
             s_Sides, side => SheetView.Of(surfaces, s_Size, side.Aside, side.Above, side.IsAgainstTheLight));
         foreach (SheetView view in views)
@@ -107,8 +107,8 @@ public sealed class WingPictureTests : CrowdFixture
         var rows = calls[0].Properties.ToDictionary(property => property.Key, property => property.Value[0]);
         var view = SheetView.Of(live, s_Size, 40f, 38f);
         var pictures = new WebPictures();
-        pictures.Add(pictures.Add(WebStages.Of(builtIn, "_BAKED", "INSTANCING_ON")), view, baked, texture, rows);
-        pictures.Add(pictures.Add(WebStages.Of(builtIn)), view, live);
+        pictures.Add(pictures.Add(builtIn, "_BAKED", "INSTANCING_ON"), view, baked, texture, rows);
+        pictures.Add(pictures.Add(builtIn), view, live);
         Color32[][] drawn = pictures.Draw();
         WriteSheet($"{species}-baked{(builtIn ? "-built-in" : "")}", drawn);
         AssertAlike(drawn[0], drawn[1], 0.005, 0.99, "baked beside live");
@@ -138,6 +138,43 @@ public sealed class WingPictureTests : CrowdFixture
             float3 Loop(Vector4 rows, Func<BakedFrame, float3> of) =>
                 math.lerp(of(frames[(int)rows.x]), of(frames[(int)rows.y]), rows.z);
         }
+    }
+
+    // A square whose picture is a disc of half its width: what is cut lets the paper be seen, and hides what is behind it where it is not.
+    [UnityTest, Explicit, Category("Long")]
+    public IEnumerator AWingThatIsCut_EndsWhereItsPictureDoes([Values] bool builtIn)
+    {
+        const int side = 64;
+        var disc = new Texture2D(side, side);
+        disc.SetPixels32([.. Enumerable.Range(0, side * side).Select(k =>
+        {
+            float out2 = math.lengthsq(new float2(k % side + 0.5f, k / side + 0.5f) / side - 0.5f);
+            return new Color32(255, 0, 0, (byte)(out2 < 0.0625f ? 255 : 0));
+        })]);
+        var square = new Mesh
+        {
+            vertices = [new(-1f, 0f, -1f), new(-1f, 0f, 1f), new(1f, 0f, 1f), new(1f, 0f, -1f)],
+            normals = [Vector3.up, Vector3.up, Vector3.up, Vector3.up],
+            uv = [new(0f, 0f), new(0f, 1f), new(1f, 1f), new(1f, 0f)],
+            triangles = [0, 1, 2, 0, 2, 3],
+        };
+        m_Materials.AddRange([disc, square]);
+        LitSurface[] looks = [.. new[] { PictureOpacity.Solid, PictureOpacity.Cut }.Select(opacity =>
+        {
+            Material material = WingMaterial.Create(WingMaterial.FindShader(), "square", new SurfaceLook(disc, true, opacity));
+            m_Materials.Add(material);
+            return new LitSurface(square, 0, material, Matrix4x4.identity);
+        })];
+        yield return null;
+
+        var pictures = new WebPictures();
+        int program = pictures.Add(builtIn);
+        var view = SheetView.Of(looks, s_Size, 0f, 89f);
+        foreach (LitSurface look in looks)
+            pictures.Add(program, view, [look]);
+        int[] red = [.. pictures.Draw().Select(pixels => pixels.Count(pixel => pixel.r > 2 * pixel.g))];
+        Assert.That(red[0], Is.GreaterThan(s_Size.y * s_Size.y / 2), "the whole square");
+        Assert.That(red[1], Is.EqualTo(Math.PI / 16.0 * red[0]).Within(4).Percent, "the disc");
     }
 
     private static void AssertAlike(Color32[] drawn, Color32[] wanted, double difference, double correlation, string what)

@@ -144,7 +144,7 @@ namespace Alate.Tests.PlaySessions
                     WingSystem.DetailCameras.Add(null);
                     BuiltPlayer.IsRunning = true;
                     LogAssert.Expect(LogType.Warning, new Regex("'hind wing'.*_ALPHABLEND_ON of Standard"));
-                    var look = new SurfaceLook(null, true, true);
+                    var look = new SurfaceLook(null, true, PictureOpacity.Clear);
                     Material one = WingMaterial.Create(ProjectShaders.Add("Standard"), "hind wing", look);
                     Material two = WingMaterial.Create(one.shader, "fore wing", look);
                     LogAssert.NoUnexpectedReceived();

@@ -38,6 +38,7 @@ internal sealed class LitSurface
         Tint = material.HasProperty("_Color") ? material.GetColor("_Color") : Color.white;
         Underside = material.HasProperty("_Underside") ? material.GetColor("_Underside") : new Color(1f, 1f, 1f, 0f);
         IsClear = Number("_DstBlend") != 0f;
+        IsCut = material.IsKeywordEnabled(WingShaders.Cut);
     }
 
     public Vector3[] Positions { get; init; }
@@ -67,12 +68,14 @@ internal sealed class LitSurface
     /// <summary>True where things behind it are seen through it.</summary>
     public bool IsClear { get; }
 
+    /// <summary>True where the opacity of its texture is its outline.</summary>
+    public bool IsCut { get; }
+
     /// <summary>Middle of its corners in the world.</summary>
     public Vector3 Middle => Positions.Aggregate(Vector3.zero, (sum, place) => sum + Place.MultiplyPoint3x4(place)) / Positions.Length;
 
     /// <summary>Number of the material, the shader's own where it has none.</summary>
     public float Number(string name) => m_Material.HasProperty(name) ? m_Material.GetFloat(name) : s_Defaults[name];
-
 
     /// <summary>Returns this one seen through where it was opaque, and opaque where it was seen through.</summary>
     /// <param name="mesh">Its mesh.</param>
@@ -80,7 +83,8 @@ internal sealed class LitSurface
     /// <param name="made">Where its material is noted, to be destroyed.</param>
     public LitSurface Inverted(Mesh mesh, int submesh, ICollection<UnityEngine.Object> made)
     {
-        Material other = WingMaterial.Create(m_Material.shader, m_Material.name, new SurfaceLook(Texture, true, !IsClear));
+        Material other = WingMaterial.Create(m_Material.shader, m_Material.name, new SurfaceLook(
+            Texture, true, IsClear ? PictureOpacity.Solid : PictureOpacity.Clear));
         made.Add(other);
         return new LitSurface(mesh, submesh, other, Place)
         {

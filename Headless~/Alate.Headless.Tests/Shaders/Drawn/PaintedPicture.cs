@@ -31,9 +31,8 @@ internal static class PaintedPicture
         float2[] seen = Array.ConvertAll(
             shown, place => SampleGrid.k_Fineness * 0.5f * new float2(view.Width, view.Height)
                 * (1f + new float2(1f, -1f) * place.xy / place.w));
-        float4[] colours = Array.ConvertAll(surface.Colours, colour =>
-            math.lerp(1f, new float4(LitSurface.Linear(new float3(colour.r, colour.g, colour.b) / 255f), colour.a / 255f),
-                surface.Number("_VertexColours")));
+        float4[] colours = Array.ConvertAll(
+            surface.Colours, colour => new float4(colour.r, colour.g, colour.b, colour.a) / 255f);
         float4 tint = new(
             LitSurface.Linear(new float3(surface.Tint.r, surface.Tint.g, surface.Tint.b)), surface.Tint.a);
         bool isTwoSided = surface.Number("_Cull") < 0.5f;
@@ -52,7 +51,9 @@ internal static class PaintedPicture
                 if (!grid.IsSeen(x, y, depth))
                     return;
                 float3 place = Mean(places), normal = math.normalize(Mean(normals)), toEye = math.normalize((float3)view.Eye - place);
-                float4 paint = tint * (share.x * colours[t.x] + share.y * colours[t.y] + share.z * colours[t.z]);
+                // Colours of vertices are blended as they are stored.
+                float4 colour = share.x * colours[t.x] + share.y * colours[t.y] + share.z * colours[t.z];
+                float4 paint = tint * math.lerp(1f, new float4(LitSurface.Linear(colour.xyz), colour.w), surface.Number("_VertexColours"));
                 if (texture != null)
                 {
                     float2 uv = share.x * (float2)surface.Uvs[t.x] + share.y * (float2)surface.Uvs[t.y]
@@ -60,6 +61,8 @@ internal static class PaintedPicture
                     paint *= texture.At(uv);
                 }
 
+                if (surface.IsCut && paint.w < 0.5f)
+                    return;
                 paint.w = math.lerp(1f, paint.w, surface.Number("_Translucent"));
                 if (isTwoSided && math.dot(normal, toEye) < 0f)
                 {

@@ -23,17 +23,26 @@ internal sealed class WebPictures
     private readonly List<object> m_Programs = [], m_Textures = [], m_Meshes = [], m_Pictures = [];
     private readonly Dictionary<Texture2D, int> m_Places = [];
 
+    /// <summary>[program] The one for surfaces that are cut.</summary>
+    private readonly Dictionary<int, int> m_Cuts = [];
+
     public WebPictures()
     {
         m_Textures.Add(new { half = false, width = 1, height = 1, pixels = Text([new Color32(255, 255, 255, 255)]) });
     }
 
-    /// <summary>Adds both stages of a pass; returns its number.</summary>
-    public int Add(WebStages stages)
+    /// <summary>Adds both stages of a pass, without and with cut margins; returns its number.</summary>
+    /// <param name="builtIn">Of which pipeline.</param>
+    /// <param name="keywords">What is set besides.</param>
+    public int Add(bool builtIn, params string[] keywords)
     {
-        m_Programs.Add(new { vertex = stages.Vertex, fragment = stages.Fragment });
-        return m_Programs.Count - 1;
+        Add(WebStages.Of(builtIn, keywords));
+        Add(WebStages.Of(builtIn, [.. keywords, "_CUT"]));
+        m_Cuts.Add(m_Programs.Count - 2, m_Programs.Count - 1);
+        return m_Programs.Count - 2;
     }
+
+    private void Add(WebStages stages) => m_Programs.Add(new { vertex = stages.Vertex, fragment = stages.Fragment });
 
     /// <summary>Adds a picture.</summary>
     /// <param name="program">Which pass.</param>
@@ -90,7 +99,7 @@ internal sealed class WebPictures
             uniforms[name] = [value.x, value.y, value.z, value.w];
         return new
         {
-            program,
+            program = surface.IsCut ? m_Cuts[program] : program,
             mesh = m_Meshes.Count - 1,
             paint = surface.Texture == null ? 0 : PlaceOf(surface.Texture),
             bake = bake == null ? 0 : PlaceOf(bake),

@@ -53,7 +53,9 @@ internal sealed record WebStages(string Vertex, string Fragment)
         string file = folder.File("pass.hlsl", pass.Program);
         string[] macros = [.. keywords, "STANDIN_URP=1701", "DIRECTIONAL"];
         string vertex = Translated("vertex"), fragment = Translated("fragment");
-        return new WebStages(Named(vertex, "out"), Named(fragment, "in"));
+
+        // What has no name has the number of its stage, which may be that of something else in the other one.
+        return new WebStages(Named(vertex, "out"), Regex.Replace(Named(fragment, "in"), @"\b_(\d+)\b", "_of$1"));
 
         string Translated(string stage)
         {

@@ -7,6 +7,7 @@
 struct Attributes
 {
     float4 position : POSITION;
+    float2 uv : TEXCOORD0;
     ALATE_SHAPE_INPUT
     UNITY_VERTEX_INPUT_INSTANCE_ID
 };
@@ -14,6 +15,7 @@ struct Attributes
 struct Varyings
 {
     float4 position : SV_POSITION;
+    float2 uv : TEXCOORD0;
     UNITY_VERTEX_OUTPUT_STEREO
 };
 
@@ -24,12 +26,14 @@ Varyings Vertex(Attributes corner)
     UNITY_INITIALIZE_VERTEX_OUTPUT_STEREO(v);
     ALATE_SHAPE_POSITION(corner, position)
     v.position = OnScreen(PlaceOf(corner.position));
+    v.uv = TRANSFORM_TEX(corner.uv, _MainTex);
     return v;
 }
 
 half4 Fragment(Varyings v) : SV_Target
 {
     UNITY_SETUP_STEREO_EYE_INDEX_POST_VERTEX(v);
+    CutMarginAt(v.uv);
     return v.position.z;
 }
 

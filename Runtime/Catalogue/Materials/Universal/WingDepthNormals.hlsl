@@ -9,6 +9,7 @@ struct Attributes
 {
     float4 position : POSITION;
     float3 normal : NORMAL;
+    float2 uv : TEXCOORD0;
     ALATE_SHAPE_INPUT
     UNITY_VERTEX_INPUT_INSTANCE_ID
 };
@@ -18,6 +19,7 @@ struct Varyings
     float4 position : SV_POSITION;
     float3 normal : TEXCOORD0;
     float3 place : TEXCOORD1;
+    float2 uv : TEXCOORD2;
     UNITY_VERTEX_OUTPUT_STEREO
 };
 
@@ -31,12 +33,14 @@ Varyings Vertex(Attributes corner)
     v.place = PlaceOf(corner.position);
     v.position = OnScreen(v.place);
     v.normal = TransformObjectToWorldNormal(corner.normal);
+    v.uv = TRANSFORM_TEX(corner.uv, _MainTex);
     return v;
 }
 
 half4 Fragment(Varyings v) : SV_Target
 {
     UNITY_SETUP_STEREO_EYE_INDEX_POST_VERTEX(v);
+    CutMarginAt(v.uv);
     float3 normal = FacingNormal(v.normal, GetWorldSpaceNormalizeViewDir(v.place));
     #if defined(_GBUFFER_NORMALS_OCT)
 

@@ -68,7 +68,7 @@ half4 Fragment(Varyings v) : SV_Target
     UNITY_SETUP_STEREO_EYE_INDEX_POST_VERTEX(v);
     half4 paint = Paint(v.colour, v.uv);
     float3 toEye = GetWorldSpaceNormalizeViewDir(v.place);
-    half3 colour = AlateSide(paint.rgb, v.normal, toEye, _Cull < 0.5, _Underside) * paint.a * AlateTint();
+    half3 colour = AlateSide(paint.rgb, v.normal, toEye, _Cull < 0.5, _Underside) * AlateOpaqueShare(paint.a) * AlateTint();
     float3 normal = FacingNormal(v.normal, toEye);
     float3 sum = colour * lerp(SampleSH(normal), SampleSH(-normal), 0.5 * _Through);
     sum += LightOf(GetMainLight(TransformWorldToShadowCoord(v.place)), colour, normal, toEye);
@@ -89,7 +89,7 @@ half4 Fragment(Varyings v) : SV_Target
     LIGHT_LOOP_END
     #endif
 
-    return half4(MixFogColor(half3(sum), half3(unity_FogColor.rgb * paint.a), v.fog), paint.a);
+    return half4(MixFogColor(half3(sum), half3(unity_FogColor.rgb * AlateOpaqueShare(paint.a)), v.fog), paint.a);
 }
 
 #endif

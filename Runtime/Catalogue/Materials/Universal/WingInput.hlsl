@@ -17,6 +17,8 @@ CBUFFER_START(UnityPerMaterial)
     half _Shine;
     half _Cull;
     half _Translucent;
+    half _Cut;
+    half _AlphaToMask;
     half _SrcBlend;
     half _DstBlend;
     half _ZWrite;
@@ -36,13 +38,37 @@ SAMPLER(sampler_SkinMap);
 #define ALATE_SKIN_SAMPLE(coordinates) SAMPLE_TEXTURE2D_LOD(_SkinMap, sampler_SkinMap, coordinates, 0)
 #include "../WingShape.hlsl"
 
+// Beyond the margin that the picture of a wing has, nothing is drawn. With multisampling the margin is smooth by the opacity that is left.
+half CutMargin(half alpha)
+{
+    #if defined(_CUT)
+    half share = AlateCutShare(alpha);
+    clip(share - 0.02);
+    return share;
+    #else
+    return alpha;
+    #endif
+}
+
+// For passes that need no colour.
+void CutMarginAt(float2 uv)
+{
+    #if defined(_CUT)
+    CutMargin(SAMPLE_TEXTURE2D(_MainTex, sampler_MainTex, uv).a * _Color.a);
+    #endif
+}
+
 half4 Paint(half4 vertexColour, float2 uv)
 {
     #ifndef UNITY_COLORSPACE_GAMMA
     vertexColour.rgb = SRGBToLinear(vertexColour.rgb);
     #endif
     half4 paint = SAMPLE_TEXTURE2D(_MainTex, sampler_MainTex, uv) * _Color * lerp(half4(1, 1, 1, 1), vertexColour, _VertexColours);
+    #if defined(_CUT)
+    paint.a = CutMargin(paint.a);
+    #else
     paint.a = lerp(1, paint.a, _Translucent);
+    #endif
     return paint;
 }
 

@@ -12,20 +12,20 @@ internal static class ShaderProperties
         ["Standard"] = ["_MainTex", "_Color", "_Glossiness", "_Mode", "_SrcBlend", "_DstBlend", "_ZWrite", "_Cutoff", "_Metallic"],
         ["Universal Render Pipeline/Lit"] =
         [
-            "_BaseMap", "_BaseColor", "_Smoothness", "_Cull", "_Surface", "_Blend", "_AlphaClip", "_SrcBlend", "_DstBlend", "_ZWrite",
-            "_MainTex", "_Color",
+            "_BaseMap", "_BaseColor", "_Smoothness", "_Cull", "_Surface", "_Blend", "_AlphaClip", "_AlphaToMask", "_Cutoff", "_SrcBlend",
+            "_DstBlend", "_ZWrite", "_MainTex", "_Color",
         ],
         ["HDRP/Lit"] =
         [
             "_BaseColorMap", "_BaseColor", "_Smoothness", "_DoubleSidedEnable", "_CullMode", "_CullModeForward", "_DoubleSidedConstants",
             "_SurfaceType",
-            "_ZTestDepthEqualForOpaque", "_TransparentZWrite", "_AlphaSrcBlend", "_AlphaDstBlend", "_SrcBlend", "_DstBlend", "_ZWrite",
-            "_MainTex", "_Color",
+            "_AlphaCutoffEnable", "_AlphaCutoff", "_ZTestDepthEqualForOpaque", "_TransparentZWrite", "_AlphaSrcBlend", "_AlphaDstBlend",
+            "_SrcBlend", "_DstBlend", "_ZWrite", "_MainTex", "_Color",
         ],
         ["Alate/Wing"] =
         [
-            "_MainTex", "_Color", "_Underside", "_VertexColours", "_Through", "_Gloss", "_Shine", "_Cull", "_Translucent", "_SrcBlend",
-            "_DstBlend", "_ZWrite", "_BakeMap", "_SkinMap", "_SkinLast",
+            "_MainTex", "_Color", "_Underside", "_VertexColours", "_Through", "_Gloss", "_Shine", "_Cull", "_Translucent", "_Cut",
+            "_AlphaToMask", "_SrcBlend", "_DstBlend", "_ZWrite", "_BakeMap", "_SkinMap", "_SkinLast",
         ],
     };
 

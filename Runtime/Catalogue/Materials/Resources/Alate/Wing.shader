@@ -13,12 +13,14 @@ Shader "Alate/Wing"
         _Shine ("Shine", Range(4, 128)) = 24
         [Enum(UnityEngine.Rendering.CullMode)] _Cull ("Cull", Float) = 0
         [ToggleUI] _Translucent ("Translucent", Float) = 0
+        [Toggle(_CUT)] _Cut ("Cut", Float) = 0
         [NoScaleOffset] _BakeMap ("Baked Loops", 2D) = "black" {}
         [HideInInspector] [NoScaleOffset] _SkinMap ("Joints", 2D) = "black" {}
         [HideInInspector] _SkinLast ("Texels to the Last Joints", Float) = 0
         [HideInInspector] _SrcBlend ("Source Blend", Float) = 1
         [HideInInspector] _DstBlend ("Destination Blend", Float) = 0
         [HideInInspector] _ZWrite ("Depth Write", Float) = 1
+        [HideInInspector] _AlphaToMask ("Coverage by Opacity", Float) = 0
     }
 
     // URP 17.1 renamed the keyword of clustered lights and warns where a shader declares the old one.
@@ -42,6 +44,7 @@ Shader "Alate/Wing"
             Tags { "LightMode" = "UniversalForwardOnly" }
             Blend [_SrcBlend] [_DstBlend]
             ZWrite [_ZWrite]
+            AlphaToMask [_AlphaToMask]
 
             HLSLPROGRAM
             #pragma target 3.0
@@ -56,6 +59,7 @@ Shader "Alate/Wing"
             #pragma multi_compile_fog
             #pragma multi_compile_instancing
             #pragma multi_compile_local _ _BAKED _SKINNED
+            #pragma multi_compile_local _ _CUT
             #include "../../Universal/WingForward.hlsl"
             ENDHLSL
         }
@@ -73,6 +77,7 @@ Shader "Alate/Wing"
             #pragma fragment Fragment
             #pragma multi_compile_instancing
             #pragma multi_compile_local _ _BAKED _SKINNED
+            #pragma multi_compile_local _ _CUT
             #pragma multi_compile_vertex _ _CASTING_PUNCTUAL_LIGHT_SHADOW
             #include "../../Universal/WingShadow.hlsl"
             ENDHLSL
@@ -91,6 +96,7 @@ Shader "Alate/Wing"
             #pragma fragment Fragment
             #pragma multi_compile_instancing
             #pragma multi_compile_local _ _BAKED _SKINNED
+            #pragma multi_compile_local _ _CUT
             #include "../../Universal/WingDepth.hlsl"
             ENDHLSL
         }
@@ -108,6 +114,7 @@ Shader "Alate/Wing"
             #pragma multi_compile_fragment _ _GBUFFER_NORMALS_OCT
             #pragma multi_compile_instancing
             #pragma multi_compile_local _ _BAKED _SKINNED
+            #pragma multi_compile_local _ _CUT
             #include "../../Universal/WingDepthNormals.hlsl"
             ENDHLSL
         }
@@ -150,6 +157,7 @@ Shader "Alate/Wing"
             Tags { "LightMode" = "UniversalForwardOnly" }
             Blend [_SrcBlend] [_DstBlend]
             ZWrite [_ZWrite]
+            AlphaToMask [_AlphaToMask]
 
             HLSLPROGRAM
             #pragma target 3.0
@@ -164,6 +172,7 @@ Shader "Alate/Wing"
             #pragma multi_compile_fog
             #pragma multi_compile_instancing
             #pragma multi_compile_local _ _BAKED _SKINNED
+            #pragma multi_compile_local _ _CUT
             #include "../../Universal/WingForward.hlsl"
             ENDHLSL
         }
@@ -181,6 +190,7 @@ Shader "Alate/Wing"
             #pragma fragment Fragment
             #pragma multi_compile_instancing
             #pragma multi_compile_local _ _BAKED _SKINNED
+            #pragma multi_compile_local _ _CUT
             #pragma multi_compile_vertex _ _CASTING_PUNCTUAL_LIGHT_SHADOW
             #include "../../Universal/WingShadow.hlsl"
             ENDHLSL
@@ -199,6 +209,7 @@ Shader "Alate/Wing"
             #pragma fragment Fragment
             #pragma multi_compile_instancing
             #pragma multi_compile_local _ _BAKED _SKINNED
+            #pragma multi_compile_local _ _CUT
             #include "../../Universal/WingDepth.hlsl"
             ENDHLSL
         }
@@ -216,6 +227,7 @@ Shader "Alate/Wing"
             #pragma multi_compile_fragment _ _GBUFFER_NORMALS_OCT
             #pragma multi_compile_instancing
             #pragma multi_compile_local _ _BAKED _SKINNED
+            #pragma multi_compile_local _ _CUT
             #include "../../Universal/WingDepthNormals.hlsl"
             ENDHLSL
         }
@@ -249,6 +261,7 @@ Shader "Alate/Wing"
             Tags { "LightMode" = "ForwardBase" }
             Blend [_SrcBlend] [_DstBlend]
             ZWrite [_ZWrite]
+            AlphaToMask [_AlphaToMask]
 
             CGPROGRAM
             #pragma target 3.0
@@ -258,6 +271,7 @@ Shader "Alate/Wing"
             #pragma multi_compile_fog
             #pragma multi_compile_instancing
             #pragma multi_compile_local _ _BAKED _SKINNED
+            #pragma multi_compile_local _ _CUT
             #include "../../BuiltIn/WingInput.cginc"
 
             half4 Fragment(Varyings i) : SV_Target
@@ -267,11 +281,11 @@ Shader "Alate/Wing"
                 UNITY_SETUP_STEREO_EYE_INDEX_POST_VERTEX(i);
                 half4 paint = Paint(i.colour, i.uv);
                 float3 toEye = normalize(UnityWorldSpaceViewDir(i.place));
-                half3 colour = AlateSide(paint.rgb, i.normal, toEye, _Cull < 0.5, _Underside) * paint.a * AlateTint();
+                half3 colour = AlateSide(paint.rgb, i.normal, toEye, _Cull < 0.5, _Underside) * AlateOpaqueShare(paint.a) * AlateTint();
                 float3 normal = AlateFacing(normalize(i.normal), toEye, _Cull < 0.5);
                 float3 sum = colour * lerp(ShadeSH9(half4(normal, 1)), ShadeSH9(half4(-normal, 1)), 0.5 * _Through);
                 sum += LightOf(i, colour, normal, toEye);
-                UNITY_APPLY_FOG_COLOR(i.fogCoord, sum, unity_FogColor * paint.a);
+                UNITY_APPLY_FOG_COLOR(i.fogCoord, sum, unity_FogColor * AlateOpaqueShare(paint.a));
                 return half4(sum, paint.a);
             }
             ENDCG
@@ -282,6 +296,7 @@ Shader "Alate/Wing"
             Name "ForwardAdd"
             Tags { "LightMode" = "ForwardAdd" }
             Blend One One
+            AlphaToMask [_AlphaToMask]
             ZWrite Off
 
             CGPROGRAM
@@ -292,6 +307,7 @@ Shader "Alate/Wing"
             #pragma multi_compile_fog
             #pragma multi_compile_instancing
             #pragma multi_compile_local _ _BAKED _SKINNED
+            #pragma multi_compile_local _ _CUT
             #include "../../BuiltIn/WingInput.cginc"
 
             half4 Fragment(Varyings i) : SV_Target
@@ -301,10 +317,14 @@ Shader "Alate/Wing"
                 half4 paint = Paint(i.colour, i.uv);
                 float3 toEye = normalize(UnityWorldSpaceViewDir(i.place));
                 float3 normal = AlateFacing(normalize(i.normal), toEye, _Cull < 0.5);
-                half3 colour = AlateSide(paint.rgb, i.normal, toEye, _Cull < 0.5, _Underside) * paint.a * AlateTint();
+                half3 colour = AlateSide(paint.rgb, i.normal, toEye, _Cull < 0.5, _Underside) * AlateOpaqueShare(paint.a) * AlateTint();
                 float3 sum = LightOf(i, colour, normal, toEye);
                 UNITY_APPLY_FOG_COLOR(i.fogCoord, sum, half4(0, 0, 0, 0));
+                #if defined(_CUT)
+                return half4(sum, paint.a);
+                #else
                 return half4(sum, 0);
+                #endif
             }
             ENDCG
         }
@@ -322,6 +342,7 @@ Shader "Alate/Wing"
             #pragma multi_compile_shadowcaster
             #pragma multi_compile_instancing
             #pragma multi_compile_local _ _BAKED _SKINNED
+            #pragma multi_compile_local _ _CUT
             #include "../../BuiltIn/WingInput.cginc"
 
             struct Shadow
