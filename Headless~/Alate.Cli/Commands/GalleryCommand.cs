@@ -6,23 +6,29 @@ namespace Alate.Cli;
 internal static class GalleryCommand
 {
     private const string k_File = "insects.png";
-    private const int k_Width = 1230, k_Narrowest = 90, k_Widest = 3000;
+    private const int k_Width = 1230, k_SheetWidth = 1600, k_Narrowest = 90, k_Widest = 3000;
 
     public static Command Create(TextWriter output)
     {
         Option<int?> width = Numbers.OptionalCount(
-            "--width", "N", k_Narrowest, k_Widest, $"Pixels from side to side, {k_Narrowest} to {k_Widest}. [default: {k_Width}]");
+            "--width", "N", k_Narrowest, k_Widest,
+            $"Pixels from side to side, {k_Narrowest} to {k_Widest}. [default: {k_Width}, of a sheet {k_SheetWidth}]");
         Argument<string[]> species = FlightOptions.AnySpecies();
         var wake = new Option<bool>("--wake") { Description = "Shows the vortex rings that the wings leave, as 'wake' computes them." };
         var transparent = new Option<bool>("--transparent") { Description = "Nothing lies behind the insects, for a ground of your own." };
         Option<BackdropLook?> backdrop = FlightOptions.Backdrop("the insects");
+        var sheets = new Option<bool>("--sheets")
+        {
+            Description = "A sheet for each insect instead, from all sides and from near by: sheet-NAME.png.",
+        };
         var folder = new Option<string>("--out") { HelpName = "DIR", Description = "Where the file goes. [default: out/gallery]" };
         var command = new Command("gallery", "Draws insects in flight in one picture.")
         {
-            species, width, wake, transparent, backdrop, folder,
+            species, width, sheets, wake, transparent, backdrop, folder,
         };
         HelpExamples.Set(command,
-            $"Examples:\n  gallery --out pictures\n  gallery monarch hawkmoth.insect.json\n\nWrites into the output folder:\n  {k_File}");
+            $"Examples:\n  gallery --out pictures\n  gallery monarch hawkmoth.insect.json\n  gallery dragonfly --sheets\n\n"
+            + $"Writes into the output folder:\n  {k_File}, with --sheets a sheet-NAME.png for each insect");
         command.SetAction(parsed =>
         {
             if (parsed.GetValue(transparent) && parsed.GetValue(backdrop) != null)
@@ -30,7 +36,15 @@ internal static class GalleryCommand
             List<InsectDefinition> insects = parsed.GetValue(species) is { Length: > 0 } names
                 ? KnownSpecies.FindAny(names, InsectVariant.Expressive)
                 : null;
-            using var target = OutputFolder.Prepare(parsed.GetValue(folder) ?? Path.Combine("out", "gallery"), k_File);
+            string root = parsed.GetValue(folder) ?? Path.Combine("out", "gallery");
+            if (parsed.GetValue(sheets))
+            {
+                if (parsed.GetValue(wake) || parsed.GetValue(transparent) || parsed.GetValue(backdrop) != null)
+                    throw new UserException("--sheets shows insects on paper; it goes with none of --wake, --transparent, --backdrop.");
+                return DrawSheets(insects ?? [.. InsectCatalogue.All], parsed.GetValue(width) ?? k_SheetWidth, root, output);
+            }
+
+            using var target = OutputFolder.Prepare(root, k_File);
             target.Write(k_File, stream => stream.Write(Gallery.Draw(
                 parsed.GetValue(width) ?? k_Width, parsed.GetValue(wake), insects, !parsed.GetValue(transparent),
                 parsed.GetValue(backdrop))));
@@ -39,5 +53,21 @@ internal static class GalleryCommand
             return 0;
         });
         return command;
+    }
+
+    private static int DrawSheets(List<InsectDefinition> insects, int width, string root, TextWriter output)
+    {
+        string[] files = [.. insects.Select(insect => $"sheet-{insect.Name}.png")];
+        using var target = OutputFolder.Prepare(root, files);
+        for (int k = 0; k < files.Length; k++)
+        {
+            byte[] sheet = ContactSheet.Draw(insects[k], width, BakePhoto.AtRest(insects[k]));
+            target.Write(files[k], stream => stream.Write(sheet));
+        }
+
+        target.Commit();
+        foreach (string file in files)
+            output.WriteLine($"Written: {Path.Combine(target.Root, file)}");
+        return 0;
     }
 }

@@ -74,15 +74,26 @@ internal static class Gallery
         return (max.x - min.x) / (max.y - min.y);
     }
 
+    /// <summary>Flies an insect for a picture; returns the phase that shows how its wings flex, too.</summary>
+    public static (FlightRecord Flight, double Turns) Fly(InsectDefinition species)
+    {
+        var plan = new FlightPlan { Definition = species, Variant = InsectVariant.Expressive, Speed = FlightPlan.CruiseOf(species) };
+        using var flight = new TetheredFlight(plan, Insect.Of(plan));
+        return (flight.Run(_ => { }), ExhibitOf(species).Turns);
+    }
+
+    private static Exhibit ExhibitOf(InsectDefinition species)
+    {
+        Exhibit exhibit = Array.Find(s_Chosen, one => one.Species == species.Name);
+        return exhibit.Species == null ? Other(species.Name) : exhibit;
+    }
+
     private static Exhibit Other(string species) => new(species, 0.25, 38f, 30f);
 
     private static (PhotoScene Scene, Pose Pose) Photo(InsectDefinition species, bool hasWake)
     {
-        Exhibit exhibit = Array.Find(s_Chosen, one => one.Species == species.Name);
-        exhibit = exhibit.Species == null ? Other(species.Name) : exhibit;
-        var plan = new FlightPlan { Definition = species, Variant = InsectVariant.Expressive, Speed = FlightPlan.CruiseOf(species) };
-        using var flight = new TetheredFlight(plan, Insect.Of(plan));
-        FlightRecord record = flight.Run(_ => { });
+        Exhibit exhibit = ExhibitOf(species);
+        FlightRecord record = Fly(species).Flight;
         PhotoScene scene = FlightPhoto.Scene(record, new PictureView("", exhibit.Aside, exhibit.Above));
         if (hasWake)
         {

@@ -66,6 +66,32 @@ namespace Alate.Tests.Cli
             Assert.That(cut.Count(pixel => pixel.a == 255), Is.GreaterThan(cut.Length / 20));
         }
 
+        // Front, side, above, below; head, wing base, apex, at rest.
+        [Test]
+        public void ASheet_ShowsAllSides_ThePaleOneToo_AndPartsFromNearBy()
+        {
+            using var run = new CommandRun();
+            Assert.That(run.Run("gallery", "monarch", "--sheets", "--width", "480", "--out", run.Out), Is.Zero, run.Errors);
+            var sheet = PngFile.Read(File.ReadAllBytes(Path.Combine(run.Out, "sheet-monarch.png")));
+            Assert.That(Directory.GetFiles(run.Out), Has.Length.EqualTo(1));
+            Assert.That(sheet.Width, Is.EqualTo(480));
+            Color32[][] panels = [.. Enumerable.Range(0, 8).Select(panel => sheet.Pixels.Where((_, k) =>
+                k % 480 / 120 == panel % 4 && k / 480 / (sheet.Height / 2) == panel / 4).ToArray())];
+            foreach (Color32[] panel in panels)
+                Assert.That(Seen(panel), Is.InRange(0.03 * panel.Length, 0.95 * panel.Length));
+            Assert.That(Orange(panels[2]), Is.GreaterThan(1.3 * Orange(panels[3])), "paler below");
+            Assert.That(Seen(panels[6]), Is.GreaterThan(2 * Seen(panels[2])), "the apex from near by");
+            Assert.That(panels[6].Count(pixel => pixel.r < 60), Is.GreaterThan(0.5 * Seen(panels[6])), "which is dark");
+
+            Assert.That(run.Run("gallery", "monarch", "--sheets", "--wake", "--out", run.Out), Is.EqualTo(2));
+            Assert.That(run.Errors, Does.Contain("--sheets shows insects on paper"));
+
+            int Seen(Color32[] panel) => panel.Count(pixel => !pixel.Equals(sheet.Pixels[0]));
+
+            static double Orange(Color32[] panel) =>
+                panel.Where(pixel => pixel.r > 1.5 * pixel.b).Average(pixel => (pixel.r - pixel.b) / 255.0);
+        }
+
         [Test]
         public void BeforeAWall_InsectsAreThoseOnPaper_AndTheirShadowsGoBeyondTheirPanels()
         {
