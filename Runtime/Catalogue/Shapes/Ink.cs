@@ -9,7 +9,7 @@ namespace Alate.Catalogue
     /// <summary>Shapes with soft edges that patterns are drawn with, each a share from 0 outside to 1 inside.</summary>
     internal static class Ink
     {
-        private const int k_EdgeSamples = 480, k_CurveSteps = 12;
+        private const int k_EdgeSamples = 96, k_MarginSamples = 240, k_CurveSteps = 12;
 
         /// <summary>Distance of two rows of scales over that of two scales in a row: that of equilateral triangles.</summary>
         private const double k_RowOverSize = 0.866;
@@ -110,7 +110,7 @@ namespace Alate.Catalogue
 
         /// <summary>Points x, z, x, z, … of an edge over a range of span.</summary>
         public static List<double> Edge(Func<double, double> edge, double from, double to) =>
-            Points(from, to, span => new PlanPoint(span, edge(span)));
+            Points(k_EdgeSamples, from, to, span => new PlanPoint(span, edge(span)));
 
         /// <summary>
         /// Points x, z, x, z, … of a part of a wing's margin, between two shares of its length from the leading corner of the base.
@@ -118,7 +118,7 @@ namespace Alate.Catalogue
         public static List<double> Margin(WingOutline outline, double from, double to)
         {
             Polyline margin = WingRim.Margin(outline);
-            return Points(from, to, share => margin.At(margin.Length * share));
+            return Points(k_MarginSamples, from, to, share => margin.At(margin.Length * share));
         }
 
         /// <summary>Points with both ends led on straight, so that a band along them does not end in a round.</summary>
@@ -185,12 +185,12 @@ namespace Alate.Catalogue
 
         private static float Scale(double column, double row) => Speckle(new Vector3((float)column, (float)row, 0f));
 
-        private static List<double> Points(double from, double to, Func<double, PlanPoint> at)
+        private static List<double> Points(int samples, double from, double to, Func<double, PlanPoint> at)
         {
             var points = new List<double>();
-            for (int i = 0; i <= k_EdgeSamples; i++)
+            for (int i = 0; i <= samples; i++)
             {
-                PlanPoint place = at(from + (to - from) * i / k_EdgeSamples);
+                PlanPoint place = at(from + (to - from) * i / samples);
                 points.Add(place.x);
                 points.Add(place.z);
             }
