@@ -29,7 +29,7 @@ internal sealed class GlbLooks(GlbBuffer buffer)
     }
 
     /// <summary>A material of its own that shows vertex colours, or one pale colour.</summary>
-    public int Plain(bool isPainted, bool isGlass, string name) => Add(GltfMaterial.Of(isPainted, OpacityOf(isGlass), name));
+    public int Plain(bool isPainted, bool isGlass, string name) => Add(GltfMaterial.Of(isPainted, PictureOpacities.Of(isGlass), name));
 
     /// <summary>A material that shows a picture, and lets light pass in viewers that know how.</summary>
     /// <param name="png">The picture's file; a material for each array.</param>
@@ -71,8 +71,6 @@ internal sealed class GlbLooks(GlbBuffer buffer)
         gltf["textures"] = m_Textures;
         gltf["images"] = m_Images;
     }
-
-    private static PictureOpacity OpacityOf(bool isGlass) => isGlass ? PictureOpacity.Clear : PictureOpacity.Solid;
 
     private int Add(JsonObject material)
     {

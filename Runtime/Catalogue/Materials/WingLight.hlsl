@@ -26,10 +26,17 @@ float3 AlateWingLight(float3 colour, float3 normal, float3 toEye, float3 toLight
     return light * (diffuse + passed + gleam);
 }
 
-// Share of a pixel that lies on a wing whose picture has a clear ground: its opacity at the edge, as sharp as if a texel were a pixel.
-half AlateCutShare(half alpha)
+// Share of a pixel that lies on a wing whose picture has a margin: its opacity there, as sharp as if a texel were a pixel. Beyond the margin nothing is drawn. With
+// multisampling the margin is smooth by the share that is left.
+half AlateCutMargin(half alpha)
 {
-    return saturate((alpha - 0.5) / max(fwidth(alpha), 0.0001) + 0.5);
+    #if defined(_CUT)
+    half share = saturate((alpha - 0.5) / max(fwidth(alpha), 0.0001) + 0.5);
+    clip(share - 0.02);
+    return share;
+    #else
+    return alpha;
+    #endif
 }
 
 // Share of the light of a pixel that is the wing's: of glass as much as it is opaque. A margin leaves it to coverage.

@@ -105,7 +105,7 @@ namespace Alate.Catalogue
                 texture = ToTexture(name, pixels, textureSize, textureSize, keepPixels);
             }
 
-            return Create(shader, name, new SurfaceLook(texture, false, ClearOr(HasClearPixels(body.colours))));
+            return Create(shader, name, new SurfaceLook(texture, false, PictureOpacities.Of(HasClearPixels(body.colours))));
         }
 
         /// <summary>
@@ -116,7 +116,7 @@ namespace Alate.Catalogue
         /// <param name="isTranslucent">Whether what lies behind is seen through where alpha is below 1.</param>
         /// <exception cref="InvalidOperationException">No shader was found; the message says how to put one into the build.</exception>
         public static Material ForVertexColours(bool isWing, bool isTranslucent) =>
-            Create(RequireShader(), isWing ? "Wing" : "Body", new SurfaceLook(null, isWing, ClearOr(isTranslucent)));
+            Create(RequireShader(), isWing ? "Wing" : "Body", new SurfaceLook(null, isWing, PictureOpacities.Of(isTranslucent)));
 
         /// <summary>Frees a material that was made here, and its texture. Null is no error.</summary>
         public static void Destroy(Material material)
@@ -168,8 +168,6 @@ namespace Alate.Catalogue
         }
 
         private static bool HasClearPixels(Color32[] colours) => Array.Exists(colours, colour => colour.a < byte.MaxValue);
-
-        private static PictureOpacity ClearOr(bool isClear) => isClear ? PictureOpacity.Clear : PictureOpacity.Solid;
 
         private static void CheckSize(int size)
         {

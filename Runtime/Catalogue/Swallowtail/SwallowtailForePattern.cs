@@ -83,6 +83,8 @@ namespace Alate.Catalogue
             dark = Math.Max(dark, m_Rear.Line(span, forward, k_RimWidth, softness));
             dark = Math.Max(dark, m_Bars.Line(span, forward, k_BarHalfWidth, softness + 0.004));
             colour = Color.Lerp(colour, SwallowtailColours.Black, dark);
+            if (edge > reach)
+                return colour;
             float dust = Ink.Between(edge, 0.085, 0.125, 0.03) * (1f - SwallowtailColours.Vein(0.5 * vein, softness));
             colour = SwallowtailColours.Dusted(colour, SwallowtailColours.Yellow, 0.45f * dust, span, forward, softness);
             return Color.Lerp(colour, SwallowtailColours.Yellow, m_Spots.At(span, forward, 0.046, 0.026, 0.0165, softness));

@@ -81,9 +81,13 @@ namespace Alate.Catalogue
             dark = Math.Max(dark, Ink.Within(forward, k_TailRoot, softness));
             colour = Color.Lerp(colour, SwallowtailColours.Black, dark);
             float onWing = Ink.Within(-forward, -k_TailRoot, softness);
-            float blue = m_Spots.At(span, forward, 0.155, 0.056, 0.042, 0.03) * onWing;
-            colour = SwallowtailColours.Dusted(colour, SwallowtailColours.Blue, 0.85f * blue, span, forward, softness);
-            colour = Color.Lerp(colour, SwallowtailColours.Yellow, onWing * m_Spots.At(span, forward, 0.06, 0.05, 0.027, softness));
+            if (edge <= reach)
+            {
+                float blue = m_Spots.At(span, forward, 0.155, 0.056, 0.042, 0.03) * onWing;
+                colour = SwallowtailColours.Dusted(colour, SwallowtailColours.Blue, 0.85f * blue, span, forward, softness);
+                colour = Color.Lerp(colour, SwallowtailColours.Yellow, onWing * m_Spots.At(span, forward, 0.06, 0.05, 0.027, softness));
+            }
+
             colour = Eye(colour, span - k_EyeSpan, forward - k_EyeForward, softness);
             return Color.Lerp(colour, SwallowtailColours.Black, m_Rim.Line(span, forward, k_RimWidth, softness));
         }

@@ -27,6 +27,10 @@ namespace Alate
         /// <summary>Share of the pixels that are seen from which on a picture is glass.</summary>
         private const double k_Glass = 0.01;
 
+        /// <summary>Opacity of what has no picture.</summary>
+        /// <param name="isClear">True where some of it is seen through.</param>
+        public static PictureOpacity Of(bool isClear) => isClear ? PictureOpacity.Clear : PictureOpacity.Solid;
+
         /// <summary>Looks for pixels that are half clear away from what is clear.</summary>
         /// <param name="pixels">Row by row.</param>
         /// <param name="width">Pixels of a row.</param>
@@ -45,6 +49,10 @@ namespace Alate
                 half++;
                 if (!IsAtAnOutline(pixels, width, k))
                     glass++;
+
+                // As many as are enough, however many of the others are seen.
+                if (glass > k_Glass * pixels.Length)
+                    return PictureOpacity.Clear;
             }
 
             // A picture without anything clear has no outline.

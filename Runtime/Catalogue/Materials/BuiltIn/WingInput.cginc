@@ -51,9 +51,7 @@ half4 Paint(half4 vertexColour, float2 uv)
     #endif
     half4 paint = tex2D(_MainTex, uv) * _Color * lerp(half4(1, 1, 1, 1), vertexColour, _VertexColours);
     #if defined(_CUT)
-    // Beyond the margin that the picture of a wing has, nothing is drawn. With multisampling the margin is smooth by the opacity that is left.
-    paint.a = AlateCutShare(paint.a);
-    clip(paint.a - 0.02);
+    paint.a = AlateCutMargin(paint.a);
     #else
     paint.a = lerp(1, paint.a, _Translucent);
     #endif

@@ -38,23 +38,11 @@ SAMPLER(sampler_SkinMap);
 #define ALATE_SKIN_SAMPLE(coordinates) SAMPLE_TEXTURE2D_LOD(_SkinMap, sampler_SkinMap, coordinates, 0)
 #include "../WingShape.hlsl"
 
-// Beyond the margin that the picture of a wing has, nothing is drawn. With multisampling the margin is smooth by the opacity that is left.
-half CutMargin(half alpha)
-{
-    #if defined(_CUT)
-    half share = AlateCutShare(alpha);
-    clip(share - 0.02);
-    return share;
-    #else
-    return alpha;
-    #endif
-}
-
 // For passes that need no colour.
 void CutMarginAt(float2 uv)
 {
     #if defined(_CUT)
-    CutMargin(SAMPLE_TEXTURE2D(_MainTex, sampler_MainTex, uv).a * _Color.a);
+    AlateCutMargin(SAMPLE_TEXTURE2D(_MainTex, sampler_MainTex, uv).a * _Color.a);
     #endif
 }
 
@@ -65,7 +53,7 @@ half4 Paint(half4 vertexColour, float2 uv)
     #endif
     half4 paint = SAMPLE_TEXTURE2D(_MainTex, sampler_MainTex, uv) * _Color * lerp(half4(1, 1, 1, 1), vertexColour, _VertexColours);
     #if defined(_CUT)
-    paint.a = CutMargin(paint.a);
+    paint.a = AlateCutMargin(paint.a);
     #else
     paint.a = lerp(1, paint.a, _Translucent);
     #endif
