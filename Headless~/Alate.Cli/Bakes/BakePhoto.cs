@@ -1,4 +1,5 @@
 using Alate.Crowds;
+using UnityEngine;
 
 namespace Alate.Cli;
 
@@ -13,7 +14,7 @@ internal static class BakePhoto
         try
         {
             InsectBake bake = InsectBaker.Bake(live, [BakeMotion.Find("folded")], new BakeSettings(4));
-            return Scene(bake, new BakePictures(insect), new PictureView("", 62f, 16f));
+            return Scene(bake, insect, new PictureView("", 62f, 16f));
         }
         finally
         {
@@ -21,29 +22,35 @@ internal static class BakePhoto
         }
     }
 
-    /// <summary>Scene of the first frame of a bake.</summary>
-    /// <param name="bake">The bake.</param>
-    /// <param name="pictures">Pictures on its wings.</param>
-    /// <param name="view">From where it is seen.</param>
-    private static PhotoScene Scene(InsectBake bake, BakePictures pictures, PictureView view)
+    // Of the first frame.
+    private static PhotoScene Scene(InsectBake bake, InsectDefinition insect, PictureView view)
     {
         BakedFrame frame = bake.Clips[0].Frames[0];
         float3[] places = Array.ConvertAll(frame.Positions, place => bake.MetresPerUnit * place);
-        float reach = places.Max(place => math.length(place));
-        return new PhotoScene(view, reach, [.. bake.Surface.Parts
-            .Select((part, k) => new PhotoPart(Surface(bake, pictures, part, k), bake.MetresPerUnit * bake.WingLength,
+        var pictures = new BakePictures(insect);
+        return new PhotoScene(view, places.Max(place => math.length(place)), [.. bake.Surface.Parts
+            .Select((part, k) => new PhotoPart(Surface(bake.Surface, part, k, insect, pictures), bake.MetresPerUnit * bake.WingLength,
                 _ => (places, frame.Normals)))]);
     }
 
-    private static PhotoSurface Surface(InsectBake bake, BakePictures pictures, BakedPart part, int index)
+    private static PhotoSurface Surface(BakedSurface bake, BakedPart part, int index, InsectDefinition insect, BakePictures pictures)
     {
-        float3[] rest = Array.ConvertAll(bake.Surface.Positions, place => (float3)place);
-        float4[] colours = bake.Surface.Colours == null ? null : Array.ConvertAll(bake.Surface.Colours, colour => Shading.Linear(colour));
-        if (pictures.Of(part) is not { } picture)
-            return PhotoSurface.Thin(index, rest, part.Triangles, colours, (colour, _) => colour, hasEdge: false);
-        return PhotoSurface.Thin(
-            index, rest, part.Triangles, Array.ConvertAll(bake.Surface.Uvs, uv => new float4(uv, 0f, 0f)),
-            (uv, _) => picture.ColourAt(uv.xy), true,
-            isWithin: picture.Opacity == PictureOpacity.Cut ? uv => picture.ColourAt(uv.xy).w >= 0.5f : null);
+        WingDefinition wing = insect.Wings.FirstOrDefault(
+            kind => part.Name.StartsWith(kind.Name, StringComparison.OrdinalIgnoreCase));
+        if (wing == null)
+            return PhotoSurface.Of(new SurfaceMesh { positions = bake.Positions, colours = bake.Colours, triangles = part.Triangles });
+        float3[] rest = Array.ConvertAll(bake.Positions, place => (float3)place);
+        if (wing.Pattern != null && wing.Picture == null)
+        {
+            (double rear, double depth) = (wing.Contour.Rear, wing.Contour.Front - wing.Contour.Rear);
+            return FlightPhoto.Painted(index, rest, part.Triangles,
+                Array.ConvertAll(bake.Uvs, uv => new float4(uv.x, 0f, (float)(rear + uv.y * depth), 0f)), wing);
+        }
+
+        return pictures.Of(part) is { } picture
+            ? PhotoSurface.Thin(index, rest, part.Triangles, Array.ConvertAll(bake.Uvs, uv => new float4(uv, 0f, 0f)),
+                (uv, _) => picture.ColourAt(uv.xy), true)
+            : PhotoSurface.Thin(index, rest, part.Triangles, Array.ConvertAll(bake.Colours, colour => Shading.Linear(colour)),
+                (colour, _) => colour);
     }
 }

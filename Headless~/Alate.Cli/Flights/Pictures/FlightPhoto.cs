@@ -32,11 +32,10 @@ internal static class FlightPhoto
     public static PhotoSurface Surface(int index, RecordedWing wing)
     {
         InsectWing own = wing.Wing;
-        if (own.Pattern is WingPattern pattern)
+        if (own.Pattern != null)
         {
-            return Thin(Array.ConvertAll(own.Surface.positions, place => new float4(place, 0f) / own.PatternScale),
-                (place, softness) => Shading.Linear(pattern.ColourAt(place.x, place.z, softness)), true, Shading.Linear(pattern.Underside),
-                own.Definition?.Margin is { } margin ? place => margin.Contains(place.x, place.z) : null);
+            return Painted(index, wing.Rest, wing.Triangles,
+                Array.ConvertAll(own.Surface.positions, place => new float4(place, 0f) / own.PatternScale), own.Definition);
         }
         if (own.Surface.uvs != null && own.Texture is WingTexture picture)
             return Thin(Array.ConvertAll(own.Surface.uvs, uv => new float4(uv, 0f, 0f)), (place, _) => picture.ColourAt(place.xy), true);
@@ -44,9 +43,22 @@ internal static class FlightPhoto
             ? Thin(Array.ConvertAll(own.Colours, colour => Shading.Linear(colour)), (colour, _) => colour)
             : Thin(new float4[wing.Rest.Length], null);
 
-        PhotoSurface Thin(float4[] values, Func<float4, float, float4> colourOf, bool hasPattern = false, float4 underside = default,
-            Func<float4, bool> isWithin = null) => PhotoSurface.Thin(
-                index, wing.Rest, wing.Triangles, values, colourOf, hasPattern, underside: underside, isWithin: isWithin);
+        PhotoSurface Thin(float4[] values, Func<float4, float, float4> colourOf, bool hasPattern = false) =>
+            PhotoSurface.Thin(index, wing.Rest, wing.Triangles, values, colourOf, hasPattern);
+    }
+
+    /// <summary>A wing in the pattern of the catalogue.</summary>
+    /// <param name="index">Its number among the surfaces of the picture.</param>
+    /// <param name="rest">[vertex] Its places at rest.</param>
+    /// <param name="triangles">Three vertex indices a triangle.</param>
+    /// <param name="places">[vertex] Places on the pattern, wing lengths: x along the span, z ahead.</param>
+    /// <param name="wing">The wing.</param>
+    public static PhotoSurface Painted(int index, float3[] rest, int[] triangles, float4[] places, WingDefinition wing)
+    {
+        (WingPattern pattern, MarginCut margin) = (wing.Pattern, wing.Margin);
+        return PhotoSurface.Thin(
+            index, rest, triangles, places, (place, softness) => Shading.Linear(pattern.ColourAt(place.x, place.z, softness)), true,
+            underside: Shading.Linear(pattern.Underside), isWithin: place => margin.Contains(place.x, place.z));
     }
 
     /// <summary>A scene with lines around the wings of another flight of the same insect, before all else.</summary>
