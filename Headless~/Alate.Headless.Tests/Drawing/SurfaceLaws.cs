@@ -218,6 +218,30 @@ public sealed class SurfaceLaws
         Assert.That(mixed.Pixels(s_Paper), Is.EqualTo(half.Pixels(s_Paper)));
     }
 
+    // Of a fan of 24 triangles around a middle, moved and turned: the circle that touches the sides in their middles, in one closed line.
+    [TestCase(1f)]
+    [TestCase(-1f)]
+    public void ARoundedRim_IsASmoothLine_WhereverTheMeshIs(float side)
+    {
+        const int corners = 24;
+        float3[] rest = [0f, .. Enumerable.Range(0, corners).Select(k => new float3(
+            math.cos(2f * math.PI * k / corners), 0f, side * math.sin(2f * math.PI * k / corners)))];
+        int[] triangles = [.. Enumerable.Range(0, corners).SelectMany(k => new[] { 0, 1 + k, 1 + (k + 1) % corners })];
+        var rim = new RoundedRim(rest, triangles);
+        float3 way = new(3f, -2f, 7f);
+        quaternion turn = math.mul(quaternion.RotateX(0.4f), quaternion.RotateY(-0.7f));
+        (int Vertex, float3 From, float3 To)[] pieces = [.. rim.Pieces([.. rest.Select(place => way + math.rotate(turn, place))])];
+
+        Assert.That(rim.Vertices(rest.Length), Is.EqualTo(rest.Select((_, k) => k > 0)));
+        for (int k = 0; k < pieces.Length; k++)
+        {
+            Assert.That(math.distance(pieces[k].To, pieces[(k + 1) % pieces.Length].From), Is.LessThan(1e-5f), "closed");
+            Assert.That(math.distance(pieces[k].From, way), Is.EqualTo(math.cos(math.PI / corners)).Within(1e-3f));
+            float3 beside = way + math.rotate(turn, rest[pieces[k].Vertex]);
+            Assert.That(math.distance(pieces[k].From, beside), Is.LessThan(1.2f * math.PI / corners), "beside its vertex");
+        }
+    }
+
     [Test]
     public void AMargin_HasTheSidesOfOneTriangle_AndNoSeams()
     {

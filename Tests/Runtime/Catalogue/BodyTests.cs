@@ -111,6 +111,25 @@ namespace Alate.Tests
             }
         }
 
+        // Dots of the monarch, claspers of the dragonfly: nothing but the abdomen reaches so far back.
+        [TestCase("monarch")]
+        [TestCase("dragonfly")]
+        public void WhatIsOnAnAbdomen_SwingsWithIt(string species)
+        {
+            InsectDefinition insect = InsectCatalogue.Find(species);
+            SurfaceMesh body = BodyOf(insect);
+            int behind = 0;
+            for (int vertex = 0; vertex < body.VertexCount; vertex++)
+            {
+                if (body.positions[vertex].z > -10f)
+                    continue;
+                behind++;
+                Assert.That(vertex, Is.GreaterThanOrEqualTo(insect.Body.AbdomenStart), body.positions[vertex].ToString());
+            }
+
+            Assert.That(behind, Is.GreaterThan(100));
+        }
+
         [TestCaseSource(nameof(All))]
         public void TheLeftSide_IsTheMirrorImageOfTheRight(InsectDefinition species)
         {

@@ -64,6 +64,14 @@ namespace Alate.Tests
                     Is.EqualTo(Ink.Grain(edge - 1e-9, 0.0043, k_Size, 1e-4)).Within(1e-4f), "from one scale to the next");
             }
 
+            // Scales lie in rows beside each other, so that their edges run in three directions.
+            for (int k = 0; k < 4000; k++)
+            {
+                double x = k * 0.618034 % 1.0 * 10.0 * k_Size, z = k * 0.754878 % 1.0 * 10.0 * k_Size;
+                Assert.That(Ink.Grain(x + 1e-4 * k_Size, z + 1e-4 * k_Size, k_Size, 1e-4),
+                    Is.EqualTo(Ink.Grain(x, z, k_Size, 1e-4)).Within(2e-3f), $"{x}, {z}");
+            }
+
             Assert.That(Ink.Grain(0.123, 0.456, k_Size, 2.0 * k_Size), Is.Zero);
         }
 
@@ -198,6 +206,35 @@ namespace Alate.Tests
             }
 
             Assert.That(Math.Min(reddest, greenest), Is.GreaterThan(0.08f), "pink and green by turns");
+        }
+
+        // A knot on the leading edge, and a cross vein that runs back from it towards the base.
+        [Test]
+        public void ANodus_IsAKnotOfTheLeadingEdge_WithACrossVeinTowardsTheBase()
+        {
+            WingOutline plate = Plate();
+            float At(double nodus, double span, double behind) => new MembranePattern(plate, new VeinFan(plate, 0.0).Add(0.9))
+            {
+                Membrane = new Color(0.8f, 0.8f, 0.8f, 0.3f),
+                Base = new Color(0.8f, 0.8f, 0.8f, 0.3f),
+                Vein = new Color(0.1f, 0.1f, 0.1f, 1f),
+                CostaHalfWidth = 0.004,
+                Nodus = nodus,
+            }.ColourAt(span, 0.1 - behind, 1e-4).a;
+
+            Assert.That(new[] { At(0.5, 0.5 - 0.7 * 0.03, 0.03), At(0.5, 0.5 - 0.7 * 0.04, 0.04) }, Is.All.GreaterThan(0.9f));
+            Assert.That(new[] { At(0.5, 0.5 + 0.7 * 0.03, 0.03), At(0.5, 0.5 - 0.7 * 0.06, 0.06), At(0.0, 0.479, 0.03) },
+                Is.All.EqualTo(0.3f).Within(1e-4f), "towards the tip, beyond its end, and without one");
+        }
+
+        [Test]
+        public void ACurveOfItsOwn_IsAVeinOfAFan()
+        {
+            WingOutline plate = Plate();
+            VeinFan fan = new VeinFan(plate, 0.0).Add(0.9).Curve(0.3, 0.0, 0.4, 0.05, 0.5, 0.0);
+            foreach ((double span, double forward) in new[] { (0.3, 0.0), (0.4, 0.05), (0.5, 0.0) })
+                Assert.That(fan.Distance(span, forward, out _), Is.LessThan(1e-9));
+            Assert.That(fan.Distance(0.4, 0.0, out _), Is.GreaterThan(0.02));
         }
 
         [Test]
