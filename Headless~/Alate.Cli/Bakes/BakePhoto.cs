@@ -1,5 +1,4 @@
 using Alate.Crowds;
-using UnityEngine;
 
 namespace Alate.Cli;
 
