@@ -105,8 +105,9 @@ internal sealed class PageSocket(WebSocket socket) : IDisposable
         using var patience = new CancellationTokenSource(s_Farewell);
         try
         {
+            // Until the page answers: what ends before that, such as a message under way, may take the reason along.
             if (socket.State is WebSocketState.Open or WebSocketState.CloseReceived)
-                await socket.CloseOutputAsync(status, QuotedMessage.Bytes(reason, k_LongestReason), patience.Token);
+                await socket.CloseAsync(status, QuotedMessage.Bytes(reason, k_LongestReason), patience.Token);
         }
         catch (Exception problem) when (IsGone(problem) || problem is InvalidOperationException)
         {
