@@ -22,10 +22,10 @@ public static class SceneHashes
     /// </summary>
     private static readonly (string Name, ulong Held, Func<HashVariant, ulong> Run)[] s_Scenes =
     [
-        ("tethered", 0xa86be4558977f23c, TetheredScene.Run),
-        ("free", 0x286680063c175d0b, variant => FleetScene.Run(s_Flyers, false, k_FreeFrames, false, variant)),
-        ("wander", 0xdbde1d3ae75e54b2, variant => FleetScene.Run(s_Flyers, true, k_WanderFrames, false, variant)),
-        ("crowd", 0x568bf0f9aecc500f, variant => FleetScene.Run(Crowd(), true, k_CrowdFrames, true, variant)),
+        ("tethered", 0x89bef51091ebd05e, TetheredScene.Run),
+        ("free", 0x3161d27a9515d6c4, variant => FleetScene.Run(s_Flyers, false, k_FreeFrames, false, variant)),
+        ("wander", 0xef0efa45a89f361b, variant => FleetScene.Run(s_Flyers, true, k_WanderFrames, false, variant)),
+        ("crowd", 0x0dd09119f181cf64, variant => FleetScene.Run(Crowd(), true, k_CrowdFrames, true, variant)),
     ];
 
     /// <summary>Names of the scenes.</summary>

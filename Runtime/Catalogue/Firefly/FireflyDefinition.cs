@@ -9,9 +9,9 @@ namespace Alate.Catalogue
     /// </summary>
     internal static class FireflyDefinition
     {
-        private static readonly double[] s_Span = { 0, 0.7, 1.6, 2.8, 4.2, 5.6, 7.0, 8.2, 9.2, 9.8, 10.0 };
-        private static readonly double[] s_Leading = { 0.3, 0.46, 0.62, 0.78, 0.9, 0.95, 0.9, 0.68, 0.24, -0.28, -0.62 };
-        private static readonly double[] s_Trailing = { -0.95, -2.0, -2.75, -3.2, -3.35, -3.25, -2.95, -2.5, -1.95, -1.4, -1.08 };
+        private static readonly double[] s_Span = { 0, 0.7, 1.6, 2.8, 4.2, 5.6, 7.0, 8.2, 9.1, 10.0 };
+        private static readonly double[] s_Leading = { 0.3, 0.46, 0.62, 0.78, 0.9, 0.95, 0.9, 0.71, 0.5, 0.24 };
+        private static readonly double[] s_Trailing = { -0.95, -2.0, -2.75, -3.2, -3.35, -3.25, -2.95, -2.52, -2.2, -1.86 };
 
         public static InsectDefinition Define()
         {
@@ -95,7 +95,7 @@ namespace Alate.Catalogue
             return new[]
             {
                 new InsectSource("wing length", "10 mm", "assumed: for a body of 12 mm; Photinus pyralis is 10 to 14 mm long"),
-                new InsectSource("wing outline", "11 landmarks, 34 mm²", "proportions chosen by us"),
+                new InsectSource("wing outline", "10 landmarks, 34 mm²", "proportions chosen by us"),
                 new InsectSource("wing mass", "0.139 mg", "assumed: ρ* of 8.8, 4 g/m² of membrane"),
                 new InsectSource("insect mass", "35 mg", "assumed: a soft beetle of this size"),
                 new InsectSource("MAX_f", "11 Hz", "the paper, Sec. 5.1, for all insects"),

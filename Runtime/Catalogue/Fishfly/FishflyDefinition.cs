@@ -62,6 +62,7 @@ namespace Alate.Catalogue
                 veins.Cross(vein, 0.3 + shift, 0.44 + shift, 0.57 + shift, 0.7 + shift, 0.82 + shift);
             }
 
+            veins.Ladder(18);
             return new MembranePattern(outline, veins)
             {
                 Membrane = new Color(0.80f, 0.77f, 0.70f, 0.45f),
@@ -71,6 +72,7 @@ namespace Alate.Catalogue
                 CostaHalfWidth = 0.010,
                 Sheen = 0.12f,
                 Dapple = 0.6f,
+                Beads = 0.75f,
             };
         }
 

@@ -5,16 +5,20 @@ using UnityEngine;
 namespace Alate.Catalogue
 {
     /// <summary>
-    /// A painted lichen moth's colours, drawn for this package: grey stripes along a fore wing that turns from yellow to orange red, which
-    /// lies on a pink hind wing with a grey border. Laid by eye into the outline of the couple, in wing lengths.
+    /// A painted lichen moth's colours, drawn for this package: two grey stripes along a yellow fore wing, orange red between their outer
+    /// ends, which lies on a pink hind wing with a grey border. Laid by eye into the outline of the couple, in wing lengths.
     /// </summary>
     internal sealed class LichenMothPattern : WingPattern
     {
         private const double k_Tornus = 0.77, k_SeamStart = -0.03, k_SeamSlope = -0.27, k_BorderStart = 0.2, k_BorderWidth = 0.085,
-            k_BorderTaper = 0.3, k_RimWidth = 0.012;
+            k_BorderTaper = 0.3;
+
+        // Of the fringe of grey hairs along the outer margins.
+        private const double k_RimWidth = 0.012, k_Ragged = 0.5, k_Hairs = 420, k_MoreHairs = 1130, k_FringeStart = 0.93,
+            k_TipForward = 0.1;
 
         private const double k_VeinHalfWidth = 0.0035, k_LeastFeature = 0.3, k_GrainSize = 0.006, k_ShadowWidth = 0.04, k_Blur = 0.007;
-        private const float k_Grain = 0.07f, k_Shadow = 0.35f, k_ForeVein = 0.22f, k_HindVein = 0.4f;
+        private const float k_Grain = 0.07f, k_Shadow = 0.35f, k_ForeVein = 0.22f, k_HindVein = 0.4f, k_Streak = 0.6f;
 
         private static readonly Color s_Yellow = new Color(0.95f, 0.76f, 0.30f);
         private static readonly Color s_Red = new Color(0.90f, 0.36f, 0.18f);
@@ -24,12 +28,12 @@ namespace Alate.Catalogue
 
         private static readonly double[] s_Spans = { 0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.83, 1 };
 
-        // Edges of the coloured bands between the stripes: of the front one, then of the rear one.
+        // Edges of the grey stripes: of the one behind the leading edge, then of the wedge before the hind wing.
         private static readonly MonotoneCurve
-            s_FrontUpper = Edge(0.012, 0.042, 0.086, 0.119, 0.144, 0.162, 0.174, 0.18, 0.182, 0.176),
-            s_FrontLower = Edge(0.012, 0.024, 0.0375, 0.052, 0.062, 0.069, 0.072, 0.072, 0.068, 0.062),
-            s_RearUpper = Edge(0.012, 0.017, 0.019, 0.019, 0.015, 0.006, -0.006, -0.021, -0.038, -0.05),
-            s_RearLower = Edge(-0.022, -0.034, -0.047, -0.059, -0.07, -0.082, -0.092, -0.103, -0.112, -0.1);
+            s_StripeUpper = Edge(0.004, 0.045, 0.082, 0.108, 0.126, 0.138, 0.147, 0.152, 0.155, 0.15),
+            s_StripeLower = Edge(0, 0.034, 0.062, 0.077, 0.083, 0.081, 0.076, 0.068, 0.058, 0.055),
+            s_WedgeUpper = Edge(-0.06, -0.06, -0.06, -0.058, -0.054, -0.047, -0.04, -0.034, -0.028, -0.025),
+            s_WedgeLower = Edge(-0.06, -0.06, -0.06, -0.062, -0.07, -0.086, -0.105, -0.118, -0.11, -0.1);
 
         private readonly VeinFan m_ForeVeins;
         private readonly VeinFan m_HindVeins;
@@ -41,6 +45,7 @@ namespace Alate.Catalogue
         {
             m_HindMargin.Add(Ink.Edge(outline.TrailingAt, k_BorderStart, k_Tornus));
             m_Rim.Add(Ink.Edge(outline.TrailingAt, 0, 1));
+            m_Rim.Add(Ink.Edge(outline.LeadingAt, k_FringeStart - 0.05, 1));
             m_HindVeins = new VeinFan(outline, 0.25).Add(0.56, 0.6, 0.64, 0.68, 0.73, 0.79, 0.86);
             m_ForeVeins = new VeinFan(outline, 0.4).Add(0.3, 0.335, 0.37, 0.4, 0.43, 0.46, 0.49, 0.52);
         }
@@ -60,19 +65,25 @@ namespace Alate.Catalogue
                 colour = Color.Lerp(colour, Ink.Lit(HindWing(span, forward, softness), shade), hind);
             }
 
-            colour = Color.Lerp(colour, s_Grey, m_Rim.Line(span, forward, k_RimWidth, k_RimWidth + softness));
+            double fringe = m_Rim.Distance(span, forward, out double along, 2 * k_RimWidth + softness);
+            double hairs = k_RimWidth * (1 + k_Ragged * Math.Sin(k_Hairs * along) * Math.Sin(k_MoreHairs * along));
+            if (forward > k_TipForward)
+                hairs *= Ink.Within(-span, -k_FringeStart, 0.05);
+            colour = Color.Lerp(colour, s_Grey, Ink.Within(fringe, hairs, 0.5 * k_RimWidth + softness));
             return Ink.Lit(colour, 1 + k_Grain * Ink.Grain(span, forward, k_GrainSize, softness));
         }
 
         private Color ForeWing(double span, double forward, double softness)
         {
-            var colour = Color.Lerp(s_Yellow, s_Red, Ink.Within(-span, -0.52, 0.55));
-            double place = Math.Clamp(span, 0, 1), blur = k_Blur + softness;
-            float front = Ink.Between(forward, s_FrontLower.At(place), s_FrontUpper.At(place), blur);
-            float rear = Ink.Between(forward, s_RearLower.At(place), s_RearUpper.At(place), blur);
-            // The middle stripe begins at a quarter of the span.
-            float middle = Ink.Between(forward, s_RearUpper.At(place), s_FrontLower.At(place), blur) * Ink.Within(span, 0.24, 0.1);
-            colour = Color.Lerp(s_Grey, colour, Math.Max(middle, Math.Max(front, rear)));
+            double place = Math.Clamp(span, 0, 1), blur = k_Blur + softness, upper = s_StripeUpper.At(place),
+                seam = k_SeamStart + k_SeamSlope * span;
+            // Red lies between the stripes alone: the leading edge and what borders on the hind wing stay yellow.
+            float red = Ink.Within(-span, -0.5, 0.4) * Ink.Between(forward, seam + 0.06, upper + 0.03, 0.06);
+            var colour = Color.Lerp(s_Yellow, s_Red, red);
+            float stripe = Ink.Between(forward, s_StripeLower.At(place), upper, blur) * Ink.Within(-span, -0.06, 0.08);
+            float wedge = Ink.Between(forward, s_WedgeLower.At(place), s_WedgeUpper.At(place), blur) * Ink.Within(-span, -0.36, 0.1);
+            float streak = k_Streak * Ink.Between(forward, seam + 0.012, seam + 0.04, blur) * Ink.Between(span, 0.08, 0.3, 0.08);
+            colour = Color.Lerp(colour, s_Grey, Math.Max(streak, Math.Max(stripe, wedge)));
             double vein = Math.Max(k_VeinHalfWidth, k_LeastFeature * softness);
             return Color.Lerp(colour, s_Grey, k_ForeVein * m_ForeVeins.Veins(span, forward, vein, softness + k_VeinHalfWidth));
         }

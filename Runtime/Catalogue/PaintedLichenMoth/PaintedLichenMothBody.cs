@@ -16,7 +16,7 @@ namespace Alate.Catalogue
         private static readonly Color32 s_Slate = new Color32(86, 82, 88, 255);
         private static readonly Color32 s_Pale = new Color32(250, 222, 168, 255);
         private static readonly Color32 s_Eye = new Color32(26, 24, 26, 255);
-        private static readonly Color32 s_Leg = new Color32(96, 84, 82, 255);
+        private static readonly Color32 s_Black = new Color32(58, 52, 54, 255);
 
         private static readonly CrossSection[] s_Thorax =
         {
@@ -83,7 +83,8 @@ namespace Alate.Catalogue
             AddHead(parts);
             parts.AddPair(Stalk.Along(s_Antenna, t => 0.085f - 0.05f * t, 14, 6), (in BodyPoint point) => s_Slate);
             parts.AddPair(Comb.Along(s_Antenna, k_Bristles, t => 0.45f - 0.2f * t, 0.03f, true), (in BodyPoint point) => s_Slate);
-            ButterflyParts.AddLegs(parts, s_Legs, 0.13f, (in BodyPoint point) => s_Leg);
+            foreach (Vector3[] joints in s_Legs)
+                ButterflyParts.AddLegs(parts, new[] { joints }, 0.13f, Banded(joints));
         }
 
         private static void AddHead(BodyParts parts)
@@ -108,6 +109,7 @@ namespace Alate.Catalogue
                 new Vector3(0.18f, 0.2f, 3.8f),
             };
             parts.AddPair(Stalk.Along(palp, t => 0.15f - 0.09f * t, 5, 6), (in BodyPoint point) => s_Slate);
+            ButterflyParts.AddTongue(parts, new Vector3(0f, -0.5f, 3.4f), 0.3f, s_Yellow);
         }
 
         // The wings' stripes run on over the back: slate in the middle, then rose, yellow at the shoulders, slate below.
@@ -116,6 +118,20 @@ namespace Alate.Catalogue
             Color32 back = Tint.Mix(s_Slate, s_Rose, Tint.Below(0.22f, point.Place.x, 0.15f));
             Color32 shoulder = Tint.Mix(back, s_Yellow, Tint.Below(0.62f, point.Place.x, 0.15f));
             return Tint.Mix(shoulder, s_Slate, Tint.Below(point.Place.y, -0.35f, 0.3f));
+        }
+
+        // Yellow, with dark ends of thigh and shin, and dark toes.
+        private static BodyPaint Banded(Vector3[] joints)
+        {
+            float thigh = (joints[1] - joints[0]).magnitude, shin = (joints[2] - joints[1]).magnitude,
+                all = thigh + shin + (joints[3] - joints[2]).magnitude + (joints[4] - joints[3]).magnitude;
+            return (in BodyPoint point) =>
+            {
+                float along = all * point.Along, fromKnee = along - thigh, fromAnkle = fromKnee - shin;
+                bool isDark = fromAnkle > 0.5f * (all - thigh - shin) || (fromKnee > -0.25f * thigh && fromKnee < -0.08f * thigh)
+                    || (fromAnkle > -0.25f * shin && fromAnkle < -0.08f * shin);
+                return isDark ? s_Black : s_Yellow;
+            };
         }
 
         private static Color32 Shaggy(in BodyPoint point) => Tint.Mix(Striped(point), s_Pale, 0.45f * Ink.Speckle(point.Place));

@@ -9,9 +9,10 @@ namespace Alate.Catalogue
     /// </summary>
     internal static class PaintedLichenMothDefinition
     {
-        private static readonly double[] s_Span = { 0, 0.9, 2.0, 3.6, 5.2, 6.8, 8.2, 9.4, 10.3, 11.0, 12.0, 12.9, 13.6, 14.0 };
-        private static readonly double[] s_Leading = { 0.25, 0.7, 1.25, 1.95, 2.55, 3.05, 3.4, 3.6, 3.7, 3.75, 3.65, 3.25, 2.55, 1.7 };
-        private static readonly double[] s_Trailing = { -0.6, -2.9, -5.1, -7.1, -7.9, -7.9, -7.3, -6.1, -4.4, -2.6, -1.7, -0.9, 0.1, 0.9 };
+        private static readonly double[] s_Span = { 0, 0.9, 2.0, 3.6, 4.9, 6.1, 7.3, 8.4, 9.4, 10.3, 11.0, 11.9, 12.9, 14.0 };
+        private static readonly double[] s_Leading = { 0.25, 0.7, 1.25, 1.95, 2.45, 2.86, 3.2, 3.44, 3.6, 3.7, 3.76, 3.78, 3.7, 3.45 };
+        private static readonly double[] s_Trailing =
+            { -0.6, -2.9, -5.1, -7.1, -7.85, -8.0, -7.8, -7.15, -6.05, -4.4, -2.75, -2.05, -1.55, -1.05 };
 
         public static InsectDefinition Define()
         {
@@ -86,7 +87,8 @@ namespace Alate.Catalogue
                 new InsectSource("MAX_f", "39 Hz", "chosen: the beat at which these wings carry 25 mg; small moths beat at 30 to 60 Hz",
                     InsectVariant.Flight),
                 new InsectSource(
-                    "colours", "grey stripes on yellow and red, a pink hind wing", "after descriptions of the species, drawn by us"),
+                    "colours", "two grey stripes on yellow, red between them, a pink hind wing",
+                    "after photographs of the species, drawn by us"),
             };
         }
     }

@@ -10,10 +10,12 @@ namespace Alate.Catalogue
     internal sealed class MembranePattern : WingPattern
     {
         private const double k_LeastFeature = 0.3, k_RimWidth = 0.008, k_ThinnestShare = 0.45, k_CrossShare = 0.6, k_Stem = 0.1,
-            k_StigmaSlant = 0.6, k_KnotSlant = 0.7, k_KnotDepth = 0.045, k_KnotLength = 0.016;
+            k_StigmaSlant = 0.6, k_KnotSlant = 0.7, k_KnotDepth = 0.045, k_KnotLength = 0.016,
+            k_BeadStart = 0.25, k_BeadSlant = 0.6;
 
         private static readonly Color s_Pink = new Color(0.93f, 0.66f, 0.78f);
         private static readonly Color s_Green = new Color(0.62f, 0.90f, 0.76f);
+        private static readonly Color s_Bead = new Color(0.86f, 0.80f, 0.62f, 0.95f);
 
         private readonly WingOutline m_Outline;
         private readonly VeinFan m_Veins;
@@ -51,6 +53,12 @@ namespace Alate.Catalogue
         /// <summary>Distance from one dapple to the next, wing lengths.</summary>
         public double DappleLength { get; set; } = 0.05;
 
+        /// <summary>Strength of the pale beads into which the veins are divided, 0 to 1.</summary>
+        public float Beads { get; set; }
+
+        /// <summary>Distance from one bead to the next, wing lengths.</summary>
+        public double BeadLength { get; set; } = 0.018;
+
         /// <summary>Spans between which a cell behind the leading edge is dark, the pterostigma; none where both are 0.</summary>
         public Vector2 Stigma { get; set; }
 
@@ -83,7 +91,7 @@ namespace Alate.Catalogue
             double taper = Math.Min(k_ThinnestShare + 2.5 * along, Math.Max(k_ThinnestShare, 1 - 0.6 * along));
             double width = Math.Max(VeinHalfWidth * taper, k_LeastFeature * softness);
             double cross = Math.Max(k_CrossShare * VeinHalfWidth, k_LeastFeature * softness);
-            float drawn = Math.Max(Ink.Within(vein, width, softness), m_Veins.CrossVeins(span, forward, cross, softness));
+            float veins = Ink.Within(vein, width, softness), drawn = m_Veins.CrossVeins(span, forward, cross, softness);
             drawn = Math.Max(drawn, m_Rim.Line(span, forward, k_RimWidth, softness));
             drawn = Math.Max(drawn, Ink.Within(m_Costa.Distance(span, forward, out double ahead, CostaHalfWidth + softness),
                 CostaHalfWidth * (1 - 0.7 * ahead), softness));
@@ -91,7 +99,18 @@ namespace Alate.Catalogue
                 drawn = Math.Max(drawn, 0.9f * Marked(span, forward, softness));
             if (Nodus > 0.0)
                 drawn = Math.Max(drawn, Knot(span, forward, softness));
-            return Color.Lerp(colour, Vein, drawn);
+            if (Beads > 0f && veins > drawn)
+                return Color.Lerp(colour, Beaded(fromBase, forward, softness), veins);
+            return Color.Lerp(colour, Vein, Math.Max(veins, drawn));
+        }
+
+        // Dark at the base, where veins lie side by side; from there on beads of neighbours are beside each other by chance.
+        private Color Beaded(double fromBase, double forward, double softness)
+        {
+            double bead = (fromBase + k_BeadSlant * forward) / BeadLength, beside = Math.Abs(bead - Math.Round(bead)) * BeadLength;
+            float pale = Ink.Within(beside, 0.25 * BeadLength, softness + 0.1 * BeadLength)
+                * Ink.Within(-fromBase, -k_BeadStart, k_BeadStart);
+            return Color.Lerp(Vein, s_Bead, Beads * pale);
         }
 
         // Its ends lie at a slant, as the cross veins do that end it.

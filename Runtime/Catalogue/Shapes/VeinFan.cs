@@ -11,6 +11,7 @@ namespace Alate.Catalogue
     internal sealed class VeinFan
     {
         private const int k_Steps = 20;
+        private const double k_LadderStart = 0.15, k_LadderSlant = 0.35;
 
         private readonly WingOutline m_Outline;
         private readonly Polyline m_Margin;
@@ -67,6 +68,20 @@ namespace Alate.Catalogue
                 PlanPoint to = Nearest(vein + 1, from, out bool isTip);
                 if (!isTip)
                     m_Crosses.Add(new[] { from.x, from.z, to.x, to.z });
+            }
+
+            return this;
+        }
+
+        /// <summary>Adds cross veins from the first vein to the leading edge, at a slant, as far as to where that vein meets it.</summary>
+        /// <param name="count">Their number.</param>
+        public VeinFan Ladder(int count)
+        {
+            for (int k = 0; k < count; k++)
+            {
+                PlanPoint from = On(0, k_LadderStart + (1 - k_LadderStart) * k / count);
+                double span = Math.Min(1, from.x + k_LadderSlant * (m_Outline.LeadingAt(from.x) - from.z));
+                m_Crosses.Add(new[] { from.x, from.z, span, m_Outline.LeadingAt(span) });
             }
 
             return this;

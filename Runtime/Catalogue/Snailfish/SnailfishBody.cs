@@ -11,6 +11,7 @@ namespace Alate.Catalogue
     internal static class SnailfishBody
     {
         private const int k_Rays = 16;
+        private const float k_PoreRadius = 0.42f;
 
         private static readonly Color32 s_Rose = new Color32(226, 168, 158, 255);
         private static readonly Color32 s_Pale = new Color32(244, 214, 204, 255);
@@ -36,13 +37,21 @@ namespace Alate.Catalogue
             new CrossSection(new Vector3(0f, 0.6f, -67f), 0f, 0f, 0f),
         };
 
+        // Above the mouth from the snout to the cheek, then along the jaw.
+        private static readonly Vector3[] s_Pores =
+        {
+            new Vector3(2.3f, 0.2f, 24f), new Vector3(4.8f, 0.3f, 22f), new Vector3(7f, 0.5f, 20f), new Vector3(8.6f, 1f, 17.6f),
+            new Vector3(9.4f, 1.7f, 15f), new Vector3(3.2f, -3.6f, 22.6f), new Vector3(6f, -4.2f, 19.4f), new Vector3(7.6f, -4.6f, 16f),
+        };
+
         private static readonly Vector3 s_Eye = new Vector3(6.9f, 4.3f, 16.8f);
 
         public static InsectBody Create(WingDefinition fin) => new InsectBody(parts => Build(parts, fin.CreateSeat()));
 
         private static void Build(BodyParts parts, HingeSeat seat)
         {
-            parts.Add(seat.Press(Trunk.Through(s_Trunk, 46, 26)), Skin);
+            BodyPatch trunk = parts.Add(seat.Press(Trunk.Through(s_Trunk, 46, 26)), Skin);
+            parts.AddPair(Tufts.On(trunk.part, s_Pores, k_PoreRadius), (in BodyPoint point) => s_Line);
             parts.Add(Fin(-4f, -68f, 0.4f, 7f, 1f), Rayed);
             parts.Add(Fin(-14f, -68f, 0.4f, 7f, -1f), Rayed);
             parts.Add(TailFin(), Rayed);
