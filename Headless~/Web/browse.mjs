@@ -11,7 +11,7 @@ export function check(holds, what) {
 }
 
 // True once an insect beats on a page.
-const flies = () => window.alate?.stage.columns.length > 0 && window.alate.state;
+export const flies = () => window.alate?.stage.columns.length > 0 && window.alate.state;
 
 // Opens an address and waits until it is ready; what the console says of errors goes into problems.
 export async function open(browser, address, problems, options, ready = flies) {

@@ -49,7 +49,7 @@ internal static class FiguresCommand
     private static List<string> Pictures =>
         [k_Sweep, k_SweepCharts, k_Gallery, k_Film, k_OwnFilm, k_Stretch, k_Veins, k_Wake, k_Way, k_Front,
             .. ManualFigures.Pictures.Select(picture => picture.Name), .. SceneFigures.Files,
-            .. InsectCatalogue.Names.SelectMany(name => new[] { Portrait(name), Compared(name) })];
+            .. InsectCatalogue.Names.SelectMany(name => new[] { Portrait(name), Compared(name), First(name) })];
 
     /// <summary>The film of the front page in which wings flex.</summary>
     internal static FilmPlan HeroFilm => new()
@@ -135,6 +135,7 @@ internal static class FiguresCommand
         {
             FlightRecord flight = TetheredFlight.Fly(Plan(species) with { Substeps = MeasuredSubsteps });
             folder.Write(Portrait(species.Name), stream => stream.Write(SpeciesPortrait.Draw(flight)));
+            folder.Write(First(species.Name), stream => stream.Write(FirstPicture.Draw(flight)));
             if (species.Name == k_Hero)
                 folder.Write(k_Stretch, stream => stream.Write(StretchMap.Draw(flight)));
         }
@@ -225,6 +226,8 @@ internal static class FiguresCommand
     }
 
     private static FlightPlan Plan(InsectDefinition species) => new() { Species = species.Name, Speed = FlightPlan.CruiseOf(species) };
+
+    private static string First(string species) => $"images/{PageFiles.FirstPicture(species)}";
 
     private static string Portrait(string species) => $"images/species-{species}.png";
 

@@ -32,7 +32,7 @@ internal static class SiteCommand
 
     private static void Run(string path, List<InsectDefinition> insects, ThreeSource three, TextWriter output)
     {
-        var page = new PageFiles(three, PageKind.Baked);
+        var page = new PageFiles(three, PageKind.Baked, insects[0]);
         using var folder = OutputFolder.Prepare(path, page.Names.Append(k_Index).ToArray());
         var terminal = new Terminal(output);
         terminal.ShowProgress(insects.Sum(insect => insect.Variants.Count + 1), (done, _) =>

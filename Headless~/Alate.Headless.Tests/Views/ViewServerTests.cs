@@ -8,9 +8,12 @@ using System.Net.WebSockets;
 using System.Security.Cryptography;
 using System.Text;
 using System.Threading.Tasks;
+using Alate.Catalogue;
 using Alate.Cli;
 using Alate.Tests.Cli;
 using NUnit.Framework;
+using Unity.StandIns;
+using UnityEngine;
 
 namespace Alate.Tests.Views
 {
@@ -199,6 +202,38 @@ namespace Alate.Tests.Views
             Assert.That(Encoding.UTF8.GetString(files.Find("three/build/three.core.js")), Is.EqualTo("build/three.core.js"));
             Assert.That(Encoding.UTF8.GetString(files.Find(PageFiles.Index)), Does.Not.Contain("http"));
             Assert.That(files.SecurityPolicy, Does.Not.Contain("https"));
+        }
+
+        [TestCaseSource(typeof(InsectCatalogue), nameof(InsectCatalogue.All))]
+        public void PageOfAnInsect_HasItsPictureForTheBeginning(InsectDefinition insect)
+        {
+            var files = new PageFiles(ThreeSource.Public, PageKind.Live, insect);
+            string name = PageFiles.FirstPicture(insect.Name);
+            var picture = PngFile.Read(files.Find(name));
+            Color32[] pixels = [.. picture.Pixels];
+            int size = FirstPicture.Size, half = size / 2;
+
+            Assert.That(files.Names.Where(file => file.EndsWith(".png")), Is.EqualTo(new[] { name }), "no other insect's");
+            Assert.That(Encoding.UTF8.GetString(files.Find(PageFiles.Index)), Does.Contain($"src=\"{name}\""));
+            Assert.That((picture.Width, picture.Height), Is.EqualTo((size, size)));
+            Assert.That(pixels.Count(pixel => pixel.a > 0), Is.InRange(0.04 * size * size, 0.5 * size * size));
+            Assert.That(pixels[half * size + half].a, Is.EqualTo(255), "the thorax is in the middle");
+            Assert.That(Enumerable.Range(0, size).Count(k => pixels[k].a > 0 || pixels[(size - 1) * size + k].a > 0), Is.Zero,
+                "nothing is cut off");
+        }
+
+        [Test]
+        public void InsectOfAFile_AndAScene_HaveNone()
+        {
+            InsectDefinition monarch = InsectCatalogue.Find("monarch"),
+                other = new("monarch", "Another", monarch.Wings.ToArray(), monarch.Body, []);
+            foreach (PageFiles files in new[] { new PageFiles(ThreeSource.Public, PageKind.Live, other),
+                new PageFiles(ThreeSource.Public, PageKind.Scene) })
+            {
+                Assert.That(files.Names, Has.None.EndsWith(".png"));
+                Assert.That(Encoding.UTF8.GetString(files.Find(PageFiles.Index)),
+                    Does.Not.Contain("id=\"first\"").And.Not.Contain("FIRST"));
+            }
         }
 
         [Test]

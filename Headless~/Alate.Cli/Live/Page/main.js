@@ -208,6 +208,8 @@ if (stage) {
   addEventListener('resize', () => place(stage));
   const draw = () => {
     stage.render();
+    if (latest && stage.columns.length > 0)
+      get('first')?.remove();
     if (shown.has('chart'))
       chart.draw();
     requestAnimationFrame(draw);

@@ -1,3 +1,7 @@
+// The picture shows the insect as it is: not what a link asks for.
+if (location.hash)
+  document.getElementById('first')?.remove();
+
 // For a page that was opened as a file, from where browsers load no modules: says how to open it.
 if (location.protocol === 'file:') {
   const folder = decodeURIComponent(location.pathname).replace(/[^/]*$/, '').replace(/^\/([A-Za-z]:)/, '$1'), code = document.createElement('code');

@@ -9,6 +9,9 @@ internal interface IServedView
     /// <summary>Kind of the pages.</summary>
     PageKind Kind { get; }
 
+    /// <summary>Insect that they show first; null for a scene.</summary>
+    InsectDefinition First { get; }
+
     /// <summary>Begins what the first page shows, while the browser starts.</summary>
     /// <param name="simulation">Thread of what is shown.</param>
     /// <param name="stop">Ends it.</param>

@@ -14,6 +14,8 @@ internal sealed class InsectView(InsectDefinition species, InsectVariant variant
 
     public PageKind Kind => PageKind.Live;
 
+    public InsectDefinition First => species;
+
     // Its wings are painted while the browser starts.
     public void Begin(SimulationThread simulation, CancellationToken stop)
     {

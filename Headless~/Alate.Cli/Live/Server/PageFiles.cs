@@ -11,20 +11,22 @@ internal sealed class PageFiles
     /// <summary>The page itself.</summary>
     public const string Index = "index.html";
 
-    private const string k_Folder = "Page/", k_SceneFolder = "ScenePage/", k_MapMark = "/*IMPORT MAP*/", k_ModeMark = "/*MODE*/";
+    private const string k_Folder = "Page/", k_SceneFolder = "ScenePage/", k_MapMark = "/*IMPORT MAP*/", k_ModeMark = "/*MODE*/",
+        k_FirstFolder = "First/", k_FirstMark = "<!--FIRST-->";
 
     private readonly Dictionary<string, Func<byte[]>> m_Files = [];
 
     /// <param name="three">Where three.js is.</param>
     /// <param name="kind">What the page shows.</param>
-    public PageFiles(ThreeSource three, PageKind kind)
+    /// <param name="first">Insect that it shows first; null for none.</param>
+    public PageFiles(ThreeSource three, PageKind kind, InsectDefinition first = null)
     {
         string map = three.ImportMap();
         Add(k_Folder);
         if (kind == PageKind.Scene)
             Add(k_SceneFolder);
         byte[] index = Encoding.UTF8.GetBytes(Encoding.UTF8.GetString(Find(Index)).Replace(k_MapMark, map)
-            .Replace(k_ModeMark, kind.ToString().ToLowerInvariant()));
+            .Replace(k_ModeMark, kind.ToString().ToLowerInvariant()).Replace(k_FirstMark, AddFirst(first)));
         m_Files[Index] = () => index;
         foreach (string name in three.Names)
             m_Files[$"three/{name}"] = () => three.Read(name);
@@ -50,8 +52,22 @@ internal sealed class PageFiles
         ".css" => "text/css; charset=utf-8",
         ".js" => "text/javascript; charset=utf-8",
         ".svg" => "image/svg+xml",
+        ".png" => "image/png",
         _ => "application/octet-stream",
     };
+
+    /// <summary>Name of the picture of an insect that a page shows until it has drawn the insect itself.</summary>
+    public static string FirstPicture(string insect) => $"first-{insect}.png";
+
+    // Insects of the catalogue have one. An insect of a file may have the name of one of them.
+    private string AddFirst(InsectDefinition first)
+    {
+        if (first == null || !InsectCatalogue.All.Contains(first))
+            return "";
+        string name = FirstPicture(first.Name);
+        m_Files[name] = () => Resource(k_FirstFolder + name);
+        return $"<img id=\"first\" elementtiming=\"first\" src=\"{name}\" alt=\"\">";
+    }
 
     // A file of a later folder is in place of one of the same name.
     private void Add(string folder)

@@ -18,6 +18,8 @@ internal sealed class SampleView(SampleScene scene) : IServedView
 
     public PageKind Kind => PageKind.Scene;
 
+    public InsectDefinition First => null;
+
     public void Begin(SimulationThread simulation, CancellationToken stop)
     {
         (m_Simulation, m_Stop) = (simulation, stop);

@@ -37,7 +37,7 @@ internal sealed class ViewServer
     private ViewServer(IServedView view, int port, ThreeSource three)
     {
         m_View = view;
-        m_Files = new PageFiles(three, view.Kind);
+        m_Files = new PageFiles(three, view.Kind, view.First);
 
         // Nothing is read from the surroundings: neither files of settings nor environment variables can make it listen elsewhere.
         WebApplicationBuilder builder = WebApplication.CreateEmptyBuilder(new WebApplicationOptions());
