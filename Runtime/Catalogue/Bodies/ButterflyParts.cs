@@ -11,7 +11,6 @@ namespace Alate.Catalogue
     internal static class ButterflyParts
     {
         private const float k_TongueTurns = 2.6f;
-        private const int k_TongueRings = 44;
 
         /// <summary>A round head with large eyes and two palps that stand before it; returns the head alone.</summary>
         public static BodyPatch AddHead(BodyParts parts, Vector3 centre, float radius, BodyPaint face, BodyPaint eye)
@@ -28,20 +27,20 @@ namespace Alate.Catalogue
             return head;
         }
 
-        /// <summary>The tongue, rolled up below the palps.</summary>
-        public static void AddTongue(BodyParts parts, Vector3 middle, float radius, Color32 colour)
+        /// <summary>The tongue, rolled up below the palps, of pieces with as many sides.</summary>
+        public static void AddTongue(BodyParts parts, Vector3 middle, float radius, Color32 colour, int pieces = 44, int sides = 6)
         {
-            var sections = new CrossSection[k_TongueRings + 1];
-            for (int k = 0; k <= k_TongueRings; k++)
+            var sections = new CrossSection[pieces + 1];
+            for (int k = 0; k <= pieces; k++)
             {
-                float t = (float)k / k_TongueRings;
+                float t = (float)k / pieces;
                 double angle = 2 * Math.PI * k_TongueTurns * t;
                 float away = radius * (1f - 0.78f * t);
                 Vector3 place = middle + away * new Vector3(0f, (float)Math.Cos(angle), (float)Math.Sin(angle));
-                sections[k] = CrossSection.Round(place, k == 0 || k == k_TongueRings ? 0f : radius * (0.15f - 0.07f * t));
+                sections[k] = CrossSection.Round(place, k == 0 || k == pieces ? 0f : radius * (0.15f - 0.07f * t));
             }
 
-            parts.Add(Tube.Along(sections, 6, new Vector3(0f, 1f, 0f)), (in BodyPoint point) => colour);
+            parts.Add(Tube.Along(sections, sides, new Vector3(0f, 1f, 0f)), (in BodyPoint point) => colour);
         }
 
         /// <summary>Antennae along a Bezier curve (the right one, millimetres) that end in a club; radii of shaft and club.</summary>

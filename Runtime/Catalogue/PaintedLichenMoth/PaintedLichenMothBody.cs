@@ -109,7 +109,7 @@ namespace Alate.Catalogue
                 new Vector3(0.18f, 0.2f, 3.8f),
             };
             parts.AddPair(Stalk.Along(palp, t => 0.15f - 0.09f * t, 5, 6), (in BodyPoint point) => s_Slate);
-            ButterflyParts.AddTongue(parts, new Vector3(0f, -0.5f, 3.4f), 0.3f, s_Yellow);
+            ButterflyParts.AddTongue(parts, new Vector3(0f, -0.5f, 3.4f), 0.3f, s_Yellow, 22, 4);
         }
 
         // The wings' stripes run on over the back: slate in the middle, then rose, yellow at the shoulders, slate below.
