@@ -6,7 +6,7 @@ namespace Alate.Cli;
 internal static class FiguresCommand
 {
     private const string k_Page = "species.md", k_Sweep = "images/sweep-elasticity.png", k_SweepCharts = "images/sweep-elasticity.svg",
-        k_Gallery = "images/insects.png",
+        k_Gallery = "images/insects.png", k_Materials = "images/materials.png",
         k_Film = "images/monarch-film.png", k_Stretch = "images/stretch-monarch.png", k_Veins = "images/veins.svg",
         k_Wake = "images/wake-monarch.png", k_OwnFilm = "images/mymoth-film.png",
         k_Way = "images/flight-monarch.png", k_Front = "images/study.svg", k_Study = "studies/hover.study.json";
@@ -47,7 +47,7 @@ internal static class FiguresCommand
     }
 
     private static List<string> Pictures =>
-        [k_Sweep, k_SweepCharts, k_Gallery, k_Film, k_OwnFilm, k_Stretch, k_Veins, k_Wake, k_Way, k_Front,
+        [k_Sweep, k_SweepCharts, k_Gallery, k_Materials, k_Film, k_OwnFilm, k_Stretch, k_Veins, k_Wake, k_Way, k_Front,
             .. ManualFigures.Pictures.Select(picture => picture.Name), .. SceneFigures.Files,
             .. InsectCatalogue.Names.SelectMany(name => new[] { Portrait(name), Compared(name), First(name) })];
 
@@ -141,6 +141,7 @@ internal static class FiguresCommand
         }
 
         folder.Write(k_Gallery, stream => stream.Write(Gallery.Draw(GalleryWidth)));
+        folder.Write(k_Materials, stream => stream.Write(ContactSheet.DrawMaterials(GalleryWidth)));
         stage("comparing");
         foreach (Comparison comparison in Comparison.Fly(Comparisons, _ => { }))
             folder.Write(Compared(comparison.Plan.Species), stream => stream.Write(ComparisonPicture.Draw(comparison)));

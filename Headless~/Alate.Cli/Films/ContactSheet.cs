@@ -23,17 +23,39 @@ internal static class ContactSheet
     {
         (FlightRecord flight, double turns) = Gallery.Fly(insect);
         PhotoScene flown = FlightPhoto.Scene(flight);
-        (string Name, PhotoScene Scene, Pose Pose, float3? At, float Shown)[] views =
+        return Lay(
         [
             Whole("front", flown, new PictureView("", 0f, 8f), turns),
             Whole("side", flown, new PictureView("", 90f, 4f), turns),
             Whole("above", flown, new PictureView("", 180f, 90f), null),
             Whole("below", flown, new PictureView("", 180f, -90f), null),
-            Part("head", new PictureView("", 38f, 22f), Head(flight), k_Head * BodyLength(flight)),
-            Part("wing base", new PictureView("", 150f, 60f), flight.Wings[0].Placement.Hinge, k_Base * flight.Wings[0].Placement.Length),
-            Part("apex", new PictureView("", 180f, 90f), Apex(flight.Wings[0]), k_Apex * flight.Wings[0].Placement.Length),
-            ("at rest", atRest, atRest.PoseAt(0.0), null, 0f),
-        ];
+            Head("head", flight, flown),
+            Part("wing base", flown, new PictureView("", 150f, 60f), flight.Wings[0].Placement.Hinge,
+                k_Base * flight.Wings[0].Placement.Length),
+            Apex("apex", flight.Wings[0], flown),
+            new("at rest", atRest, atRest.PoseAt(0.0), null, 0f),
+        ], width, insect.DisplayName);
+    }
+
+    /// <summary>Sheet of parts of insects by which their materials are told, as a PNG file.</summary>
+    /// <param name="width">Its width, pixels.</param>
+    public static byte[] DrawMaterials(int width)
+    {
+        (FlightRecord monarch, FlightRecord dragonfly, FlightRecord moth) = (Fly("monarch"), Fly("dragonfly"), Fly("painted-lichen-moth"));
+        PhotoScene butterfly = FlightPhoto.Scene(monarch);
+        return Lay(
+        [
+            Apex("a wing of scales", monarch.Wings[0], butterfly),
+            Apex("its underside", monarch.Wings[0], butterfly, new PictureView("", 180f, -90f)),
+            Apex("a clear wing", dragonfly.Wings[0], FlightPhoto.Scene(dragonfly)),
+            Head("a body", moth, FlightPhoto.Scene(moth)),
+        ], width, "Materials of wings and bodies");
+
+        FlightRecord Fly(string insect) => Gallery.Fly(InsectCatalogue.Find(insect)).Flight;
+    }
+
+    private static byte[] Lay(View[] views, int width, string title)
+    {
         var page = new PixelPage();
         float panel = width / PixelPage.Fineness / k_Columns, row = k_Shape * panel + k_Line;
         for (int k = 0; k < views.Length; k++)
@@ -46,19 +68,25 @@ internal static class ContactSheet
             page.Text(left + 0.5f * panel, top + row - 9f, 14f, views[k].Name, "middle", "t");
         }
 
-        return page.Finish(width / PixelPage.Fineness, (views.Length + k_Columns - 1) / k_Columns * row, insect.DisplayName);
-
-        (string, PhotoScene, Pose, float3?, float) Part(string name, PictureView view, float3 at, float wide)
-        {
-            PhotoScene scene = flown.From(view);
-            return (name, scene, scene.Rest(), at, wide);
-        }
+        return page.Finish(width / PixelPage.Fineness, (views.Length + k_Columns - 1) / k_Columns * row, title);
     }
 
-    private static (string, PhotoScene, Pose, float3?, float) Whole(string name, PhotoScene flown, PictureView view, double? turns)
+    private static View Whole(string name, PhotoScene flown, PictureView view, double? turns)
     {
         PhotoScene scene = flown.From(view);
-        return (name, scene, turns is { } phase ? scene.PoseAt(phase) : scene.Rest(), null, 0f);
+        return new(name, scene, turns is { } phase ? scene.PoseAt(phase) : scene.Rest(), null, 0f);
+    }
+
+    private static View Head(string name, FlightRecord flight, PhotoScene flown) =>
+        Part(name, flown, new PictureView("", 38f, 22f), Head(flight), k_Head * BodyLength(flight));
+
+    private static View Apex(string name, RecordedWing wing, PhotoScene flown, PictureView? view = null) =>
+        Part(name, flown, view ?? new PictureView("", 180f, 90f), Apex(wing), k_Apex * wing.Placement.Length);
+
+    private static View Part(string name, PhotoScene flown, PictureView view, float3 at, float wide)
+    {
+        PhotoScene scene = flown.From(view);
+        return new(name, scene, scene.Rest(), at, wide);
     }
 
     private static float BodyLength(FlightRecord flight) =>
@@ -79,4 +107,12 @@ internal static class ContactSheet
         float3 tip = rest.MaxBy(place => math.abs(place.x));
         return tip - math.sign(tip.x) * new float3(0.1f * wing.Placement.Length, 0f, 0f);
     }
+
+    /// <summary>A view of an insect.</summary>
+    /// <param name="Name">What it shows.</param>
+    /// <param name="Scene">The insect from there.</param>
+    /// <param name="Pose">Its pose.</param>
+    /// <param name="At">Place in the middle, metres on the body; null for all of it.</param>
+    /// <param name="Shown">Width that is shown around that place, metres.</param>
+    private readonly record struct View(string Name, PhotoScene Scene, Pose Pose, float3? At, float Shown);
 }

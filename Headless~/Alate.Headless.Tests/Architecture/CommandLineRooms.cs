@@ -12,8 +12,9 @@ namespace Alate.Tests.Architecture
             ["Alate.Drawing"] = ["Alate.Formats", "Alate.Geometry", "Alate.Model"],
             ["Alate.Cli"] =
             [
-                "Alate", "Alate.Authoring", "Alate.Catalogue", "Alate.Crowds", "Alate.Drawing", "Alate.Files", "Alate.Fitting",
-                "Alate.Flight", "Alate.Formats", "Alate.Geometry", "Alate.Model", "Alate.Showcase", "Alate.Sound", "Alate.Wake",
+                "Alate", "Alate.Authoring", "Alate.Catalogue", "Alate.Crowds", "Alate.Drawing", "Alate.Editor", "Alate.Files",
+                "Alate.Fitting", "Alate.Flight", "Alate.Formats", "Alate.Geometry", "Alate.Model", "Alate.Showcase", "Alate.Sound",
+                "Alate.Wake",
             ],
         };
 

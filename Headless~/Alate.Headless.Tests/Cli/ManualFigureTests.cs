@@ -50,6 +50,23 @@ public sealed class ManualFigureTests
         Assert.That(XElement.Parse(told).Elements(s_Svg + "circle").Count(), Is.GreaterThan(640));
     }
 
+    // Five chains, their rows, 25 joints, the ring and the axis of the hinge, the patches of the rig.
+    [Test]
+    public void ThePictureOfTheTool_IsWhatTheToolDraws()
+    {
+        XElement[] shapes = [.. XElement.Parse(Draw("images/skeleton-tool.svg")).Elements()];
+        string[] Strokes(string colour) =>
+            [.. shapes.Where(shape => (string)shape.Attribute("stroke") == colour).Select(shape => shape.Name.LocalName)];
+        int Filled(string colour) => shapes.Count(shape => (string)shape.Attribute("fill") == colour);
+
+        Assert.That((Strokes("#ff8c26").Length, Strokes("#73ccff").Length), Is.EqualTo((1, 4 + 4 * 5)), "chains, and rows between them");
+        Assert.That((Filled("#e6f2ff"), Filled("#ffe61a")), Is.EqualTo((23, 2)), "joints");
+        Assert.That(Strokes("#66ff80"), Is.EqualTo(new[] { "circle" }), "hinge");
+        Assert.That(shapes.Count(shape => shape.Attribute("fill-opacity") != null), Is.InRange(32, 200), "colours of patches");
+        Assert.That(shapes.Where(shape => shape.Name.LocalName == "text").Select(text => text.Value),
+            Is.SupersetOf(new[] { "chain 0", "chain 4", "3", "hinge" }));
+    }
+
     // What is drawn lies on the page.
     [TestCaseSource(nameof(Names))]
     public void APicture_StaysOnItsPage_AndSaysWhatItShows(string name)

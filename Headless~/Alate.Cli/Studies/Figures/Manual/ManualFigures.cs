@@ -22,6 +22,7 @@ internal static class ManualFigures
         ("images/model-coefficients.svg", CoefficientFigure.Draw),
         ("images/kinematics.svg", KinematicsFigure.Draw),
         ("images/hum.svg", HumFigure.Draw),
+        ("images/skeleton-tool.svg", OverlayFigure.Draw),
     ];
 
     /// <summary>Points of a curve at even places from 0 to a value.</summary>
