@@ -9,9 +9,9 @@ namespace Alate.Crowds
     {
         /// <summary>
         /// Extent of pieces that are dropped from a mesh of one triangle, wing lengths; it falls with the root of their number, as edges
-        /// do: hairs and feet.
+        /// do: hairs, feet and, at last, legs. Wings stay.
         /// </summary>
-        private const float k_Piece = 2.5f;
+        private const float k_Piece = 3.5f;
 
         /// <summary>Every so many frames are measured.</summary>
         private const int k_Stride = 4;
@@ -52,10 +52,17 @@ namespace Alate.Crowds
         public static ReducedSurface[] Of(InsectBake bake, IReadOnlyList<int> triangles)
         {
             var reducer = new TriangleReducer(bake.Surface);
+            bool[] onWings = new bool[bake.Surface.Positions.Length];
+            foreach (BakedWing wing in bake.Wings)
+            {
+                foreach (int vertex in wing.Vertices)
+                    onWings[vertex] = true;
+            }
+
             var sizes = new ReducedSurface[triangles.Count];
             for (int size = 0; size < sizes.Length; size++)
             {
-                reducer.DropPieces(k_Piece * bake.WingLength / math.sqrt(triangles[size]), triangles[size]);
+                reducer.DropPieces(k_Piece * bake.WingLength / math.sqrt(triangles[size]), triangles[size], onWings);
                 reducer.ReduceTo(triangles[size]);
                 int[][] parts = reducer.Parts(bake.Surface.Parts.Count);
                 sizes[size] = new ReducedSurface(parts, Used(parts), Measure(bake, parts));

@@ -78,13 +78,16 @@ namespace Alate.Crowds
         /// Drops pieces that hang together and whose extent is below a length, the smallest first, while more than so many triangles
         /// remain.
         /// </summary>
-        public void DropPieces(float extent, int triangles)
+        /// <param name="extent">The length.</param>
+        /// <param name="triangles">Triangles that remain at least.</param>
+        /// <param name="stays">[vertex] True for those whose pieces are never dropped; null for none.</param>
+        public void DropPieces(float extent, int triangles, bool[] stays = null)
         {
             var pieces = new List<(float Extent, List<int> Triangles)>();
             bool[] seen = new bool[m_Triangles.Count];
             for (int first = 0; first < seen.Length; first++)
             {
-                if (!seen[first] && m_Alive[first])
+                if (!seen[first] && m_Alive[first] && !(stays?[m_Triangles[first].x] ?? false))
                     pieces.Add(Piece(first, seen));
             }
 

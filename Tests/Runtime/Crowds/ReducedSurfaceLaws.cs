@@ -97,6 +97,11 @@ namespace Alate.Tests.Crowds
             reducer.DropPieces(1.9f, 129);
             Assert.That(reducer.Count, Is.EqualTo(128));
             Assert.That(reducer.Parts(2)[1], Is.Empty);
+            bool[] stays = new bool[bake.Surface.Positions.Length];
+            foreach (int vertex in bake.Wings.SelectMany(wing => wing.Vertices))
+                stays[vertex] = true;
+            reducer.DropPieces(2.5f, 0, stays);
+            Assert.That(reducer.Count, Is.EqualTo(128), "wings that stay");
             reducer.DropPieces(2.5f, 100);
             Assert.That(reducer.Count, Is.EqualTo(64), "one wing is enough");
         }
