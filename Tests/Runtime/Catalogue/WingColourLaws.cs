@@ -227,6 +227,56 @@ namespace Alate.Tests
                 Is.All.EqualTo(0.3f).Within(1e-4f), "towards the tip, beyond its end, and without one");
         }
 
+        // Half of the way along a vein is pale, from a quarter of a wing length on.
+        [Test]
+        public void Beads_DivideAVein_ButNotAtItsBase()
+        {
+            WingOutline plate = Plate();
+            var veins = new VeinFan(plate, 0.0).Curve(0.0, 0.0, 0.5, 0.0, 1.0, 0.0);
+            float Red(float beads, double span, double forward = 0.0) => new MembranePattern(plate, veins)
+            {
+                Membrane = new Color(0.4f, 0.4f, 0.4f, 0.3f),
+                Base = new Color(0.4f, 0.4f, 0.4f, 0.3f),
+                Vein = new Color(0.1f, 0.1f, 0.1f, 1f),
+                Beads = beads,
+                BeadLength = 0.02,
+            }.ColourAt(span, forward, 1e-4).r;
+
+            int pale = 0, dark = 0;
+            for (int k = 0; k < 1000; k++)
+            {
+                float red = Red(1f, 0.5 + 2e-4 * k);
+                pale += red > 0.8f ? 1 : 0;
+                dark += red < 0.15f ? 1 : 0;
+                Assert.That(Red(1f, 0.1 * k / 1000), Is.EqualTo(0.1f).Within(1e-4f), "the base");
+            }
+
+            // Half each, but for soft ends of a tenth of a bead.
+            Assert.That(new[] { pale, dark }, Is.EqualTo(new[] { 410, 410 }).Within(10));
+            Assert.That(new[] { Red(1f, 0.52), Red(1f, 0.53), Red(0f, 0.52), Red(1f, 0.52, 0.05) },
+                Is.EqualTo(new[] { 0.86f, 0.1f, 0.1f, 0.4f }).Within(1e-3f));
+        }
+
+        // As many rungs as are asked for, from the first vein to the leading edge, the outer end nearer to the tip.
+        [Test]
+        public void ALadder_IsOfCrossVeins_BeforeTheFirstVein()
+        {
+            WingOutline plate = Plate();
+            VeinFan fan = new VeinFan(plate, 0.0).Add(0.4, 0.6).Ladder(8);
+            int rungs = 0;
+            bool isOn = false;
+            for (int k = 0; k < 20000; k++)
+            {
+                double span = k / 20000.0, forward = 0.5 * (plate.LeadingAt(span) + fan.ForwardOf(0, span));
+                bool wasOn = isOn;
+                isOn = fan.CrossVeins(span, forward, 5e-4, 1e-6) > 0.5f;
+                rungs += isOn && !wasOn ? 1 : 0;
+                Assert.That(fan.CrossVeins(span, fan.ForwardOf(0, span) - 0.01, 5e-4, 1e-6), Is.Zero, "behind the vein");
+            }
+
+            Assert.That(rungs, Is.EqualTo(8));
+        }
+
         [Test]
         public void ACurveOfItsOwn_IsAVeinOfAFan()
         {
