@@ -76,11 +76,8 @@ namespace Alate.Crowds
 
         /// <summary>
         /// Drops pieces that hang together and whose extent is below a length, the smallest first, while more than so many triangles
-        /// remain.
+        /// remain; those of vertices that stay are left.
         /// </summary>
-        /// <param name="extent">The length.</param>
-        /// <param name="triangles">Triangles that remain at least.</param>
-        /// <param name="stays">[vertex] True for those whose pieces are never dropped; null for none.</param>
         public void DropPieces(float extent, int triangles, bool[] stays = null)
         {
             var pieces = new List<(float Extent, List<int> Triangles)>();

@@ -232,7 +232,7 @@ namespace Alate.Tests
         public void Beads_DivideAVein_ButNotAtItsBase()
         {
             WingOutline plate = Plate();
-            var veins = new VeinFan(plate, 0.0).Curve(0.0, 0.0, 0.5, 0.0, 1.0, 0.0);
+            VeinFan veins = new VeinFan(plate, 0.0).Curve(0.0, 0.0, 0.5, 0.0, 1.0, 0.0);
             float Red(float beads, double span, double forward = 0.0) => new MembranePattern(plate, veins)
             {
                 Membrane = new Color(0.4f, 0.4f, 0.4f, 0.3f),
