@@ -25,7 +25,7 @@ public static class SceneHashes
         ("tethered", 0x89bef51091ebd05e, TetheredScene.Run),
         ("free", 0x3161d27a9515d6c4, variant => FleetScene.Run(s_Flyers, false, k_FreeFrames, false, variant)),
         ("wander", 0xef0efa45a89f361b, variant => FleetScene.Run(s_Flyers, true, k_WanderFrames, false, variant)),
-        ("crowd", 0x0dd09119f181cf64, variant => FleetScene.Run(Crowd(), true, k_CrowdFrames, true, variant)),
+        ("crowd", 0x9ee566eb18a8fcd2, variant => FleetScene.Run(Crowd(), true, k_CrowdFrames, true, variant)),
     ];
 
     /// <summary>Names of the scenes.</summary>

@@ -1,6 +1,7 @@
 using System.Diagnostics;
 using Unity.Burst;
 using Unity.Collections;
+using Unity.Collections.LowLevel.Unsafe;
 using Unity.Jobs;
 using Unity.Mathematics;
 
@@ -46,10 +47,12 @@ namespace Alate
         public void Execute(int index)
         {
             SkinChunk chunk = chunks[index];
-            SkinTarget target = targets[chunk.target];
+
+            // By reference: both are hundreds of bytes.
+            ref readonly SkinTarget target = ref ((SkinTarget*)targets.GetUnsafeReadOnlyPtr())[chunk.target];
             if (!target.skinned)
                 return;
-            WingPack pack = packs[target.pack];
+            ref readonly WingPack pack = ref ((WingPack*)packs.GetUnsafeReadOnlyPtr())[target.pack];
             ClockTime clock = clocks[pack.clock];
             if (!clock.IsDrawn)
                 return;
