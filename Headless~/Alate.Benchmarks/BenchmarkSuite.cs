@@ -56,6 +56,7 @@ public static class BenchmarkSuite
         OnOneCore(() => Crowds(report, monarch, version01, plain));
         SystemFigures.Run(report);
         LivingFigures.Run(report);
+        StartFigures.Run(report);
         MemoryFigures.Run(report);
         OnOneCore(() => UploadComparison.Run(report, monarch));
         OnOneCore(() => BakedFigures.Run(report));

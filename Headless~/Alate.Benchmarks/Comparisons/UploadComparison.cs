@@ -67,6 +67,8 @@ internal static class UploadComparison
                     m_Starts.Add(start);
             }
 
+            for (int k = 0; k < m_Starts.Count; k++)
+                m_World.LendPalette(m_Wings[k].wing, m_Table.Block(m_Starts[k], rig.JointCount));
             m_World.Step(0.02f);
             m_World.Skin();
         }
@@ -112,8 +114,7 @@ internal static class UploadComparison
         private void UploadJoints()
         {
             m_Table.Begin();
-            for (int k = 0; k < m_Wings.Count; k++)
-                m_Table.Write(m_Starts[k], m_World.Palette(m_Wings[k].wing), true);
+            m_Table.MarkWritten();
             m_Table.End();
         }
 

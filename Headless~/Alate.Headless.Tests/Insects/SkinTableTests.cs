@@ -88,11 +88,12 @@ public sealed class SkinTableTests
         {
             float value = random.NextSingle();
             bool movedOn = m_Written.TryGetValue(start, out (float Now, float Last) before) && random.Next(5) > 0;
-            using var palette = new NativeArray<DualQuaternion>(joints, Allocator.Temp);
-            NativeArray<DualQuaternion> filled = palette;
+            NativeArray<DualQuaternion> palette = table.Block(start, joints);
             for (int joint = 0; joint < joints; joint++)
-                filled[joint] = new DualQuaternion { real = value + joint, dual = -value - joint };
-            table.Write(start, palette, movedOn);
+                palette[joint] = new DualQuaternion { real = value + joint, dual = -value - joint };
+            table.MarkWritten();
+            if (!movedOn && table.Last > 0)
+                table.ForgetPast(start, joints);
             m_Written[start] = (value, movedOn ? before.Now : value);
         }
 

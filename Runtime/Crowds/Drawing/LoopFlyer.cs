@@ -17,9 +17,8 @@ namespace Alate.Crowds
             for (int k = 0; k < live.wings.Length; k++)
             {
                 LiveWing wing = live.wings[k];
-                WingSurroundings around = wing.Surroundings(live.flight);
-                if (wing.placed.isValid && around.IsFinite)
-                    world.SetSurroundings(wing.handle, around);
+                if (wing.placed.isValid)
+                    world.TrySetSurroundings(wing.handle, wing.Surroundings(live.flight, live.Pitch));
                 Drive(world, wing, live.insect.Wings[k].Side);
             }
         }

@@ -31,7 +31,11 @@ namespace Alate
         public float Pitch => Elementary.Asin(math.clamp(-math.dot(forward, math.normalizesafe(gravity)), -1f, 1f));
 
         /// <summary>Surroundings of a wing, in its own frame (<see cref="WingSurroundings"/>).</summary>
-        public WingSurroundings Around(in PlacedWing wing, float wingLength, float gravityShare)
+        public WingSurroundings Around(in PlacedWing wing, float wingLength, float gravityShare) =>
+            Around(wing, wingLength, gravityShare, Pitch);
+
+        /// <summary>The same, with the body's <see cref="Pitch"/> computed once for all wings.</summary>
+        public WingSurroundings Around(in PlacedWing wing, float wingLength, float gravityShare, float pitch)
         {
             float scale = metresPerUnit > 0f ? metresPerUnit : wingLength / wing.length;
             return new WingSurroundings
@@ -41,7 +45,7 @@ namespace Alate
                 hinge = wing.ToWing(wing.hinge - position) * (scale / wingLength),
                 gravity = wing.ToWing(gravity) * (gravityShare / wingLength),
                 speed = math.length(velocity) * scale,
-                angleOfAttack = Pitch,
+                angleOfAttack = pitch,
             };
         }
     }

@@ -23,15 +23,19 @@ namespace Alate
 
         public override Mesh Mesh => m_Copy;
 
+        public override int SharedBy => 1;
+
         public override VertexPacking Packing { get; }
 
         public override bool Moves { get; }
 
         public override bool IsCurrent => true;
 
-        public override void Upload(WingWorld world, LiveWing[] wings)
+        public override void Upload(WingWorld world)
         {
-            foreach (LiveWing wing in wings)
+            if (m_Copy == null)
+                return;
+            foreach (LiveWing wing in Wings)
             {
                 if (m_Template.IsPacked)
                 {
@@ -53,12 +57,12 @@ namespace Alate
             }
         }
 
-        public override void Stop(WingWorld world, LiveWing[] wings)
+        public override void Stop(WingWorld world)
         {
-            if (!m_Moving)
+            if (!m_Moving || m_Copy == null)
                 return;
             m_Moving = false;
-            foreach (LiveWing wing in wings)
+            foreach (LiveWing wing in Wings)
             {
                 world.StopDisplacements(wing.handle);
                 Upload(world.Displacements(wing.handle), wing.start, m_DisplacementStream);

@@ -213,8 +213,7 @@ namespace Alate
 
         private void UpdateSurroundings(LiveInsect live, float3 gravity)
         {
-            float3 wind = live.insect.Air.windZones ? m_WindZones.At(live.root.position) : default;
-            live.UpdateSurroundings(gravity, wind);
+            live.UpdateSurroundings(gravity, m_WindZones);
             bool hasSize = live.WriteSurroundings(World);
             if (hasSize)
                 live.insect.Report(InsectProblem.None);
@@ -268,6 +267,8 @@ namespace Alate
                     flyer.Show(live, World, m_Clocks.times[live.Clock].alpha);
             }
 
+            using (SystemMarkers.upload.Auto())
+                Skins.BeginPicture(World);
             if (m_Clocks.times.AnyDrawn())
             {
                 using (SystemMarkers.schedule.Auto())
@@ -277,7 +278,6 @@ namespace Alate
 
             using (SystemMarkers.upload.Auto())
             {
-                Skins.BeginPicture();
                 foreach (LiveInsect live in Insects)
                     live.Upload(World, m_Clocks.times[live.Clock].IsDrawn);
                 Skins.EndPicture();

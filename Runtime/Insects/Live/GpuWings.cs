@@ -4,7 +4,7 @@ using UnityEngine;
 namespace Alate
 {
     /// <summary>Wings that the graphics card deforms: their joints go into the texture that all insects share.</summary>
-    internal sealed class GpuWings : ShownWings
+    internal sealed class GpuWings : ShownWings, IJointOwner
     {
         private static readonly int s_Start = Shader.PropertyToID("_SkinStart"), s_Tint = Shader.PropertyToID("_SkinTint");
         private static readonly List<Material> s_Shown = new List<Material>();
@@ -28,9 +28,13 @@ namespace Alate
             m_Copies = System.Array.ConvertAll(m_Sources, skins.Materials.Acquire);
             renderer.sharedMaterials = m_Copies;
             TellStart();
+            skins.Add(this);
         }
 
         public override Mesh Mesh => m_Template.Skinned;
+
+        // Measured; what remains is the state of the wings.
+        public override int SharedBy => 4;
 
         public override VertexPacking Packing => VertexPacking.Joints;
 
@@ -67,8 +71,11 @@ namespace Alate
             return null;
         }
 
-        public override void Upload(WingWorld world, LiveWing[] wings)
+        public override void Upload(WingWorld world)
         {
+            if (m_Renderer == null)
+                return;
+
             // A script may have set properties of its own in place of all.
             m_Renderer.GetPropertyBlock(m_Skins.Properties);
             if (!IsTold)
@@ -77,21 +84,38 @@ namespace Alate
                 Tell(-1);
             }
 
-            for (int w = 0; w < wings.Length; w++)
+            m_Skins.Table.MarkWritten();
+            if (m_Skins.Table.Last == 0)
+                return;
+            for (int w = 0; w < Wings.Length; w++)
             {
-                m_Skins.Table.Write(
-                    m_Start + m_Template.FirstJoints[w], world.Palette(wings[w].handle), world.IsMovedOn(wings[w].handle));
-                world.TakePicture(wings[w].handle);
+                if (!world.IsMovedOn(Wings[w].handle))
+                    m_Skins.Table.ForgetPast(m_Start + m_Template.FirstJoints[w], Wings[w].rig.JointCount);
+                world.TakePicture(Wings[w].handle);
+            }
+        }
+
+        /// <inheritdoc/>
+        public void PlaceJoints(WingWorld world)
+        {
+            for (int w = 0; w < Wings.Length; w++)
+            {
+                if (!Wings[w].handle.IsNone)
+                {
+                    world.LendPalette(
+                        Wings[w].handle, m_Skins.Table.Block(m_Start + m_Template.FirstJoints[w], Wings[w].rig.JointCount));
+                }
             }
         }
 
         // The texture keeps the past of all wings.
-        public override void Stop(WingWorld world, LiveWing[] wings)
+        public override void Stop(WingWorld world)
         {
         }
 
         public override void Restore()
         {
+            m_Skins.Remove(this);
             if (m_Renderer != null)
             {
                 Material[] shown = m_Renderer.sharedMaterials;

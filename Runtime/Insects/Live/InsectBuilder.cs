@@ -71,7 +71,7 @@ namespace Alate
         public InsectProblem Complete(LiveInsect live)
         {
             InsectWings insect = live.insect;
-            InsectProblem problem = insect.FindProblem();
+            InsectProblem problem = InsectCheck.Find(insect, m_Skeletons);
             if (problem.IsProblem)
                 return problem;
             var wings = new LiveWing[insect.Wings.Count];

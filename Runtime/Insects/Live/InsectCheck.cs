@@ -7,7 +7,9 @@ namespace Alate
     internal static class InsectCheck
     {
         /// <summary>Finds the first problem; none when all wings look right.</summary>
-        public static InsectProblem Find(InsectWings insect)
+        /// <param name="insect">Whose wings.</param>
+        /// <param name="skeletons">Those in use, which are checked once for all wings; null checks them now.</param>
+        public static InsectProblem Find(InsectWings insect, AssetWatch<WingSkeleton, SkeletonValue> skeletons = null)
         {
             List<Wing> wings = insect.Wings;
             if (wings.Count == 0)
@@ -15,7 +17,7 @@ namespace Alate
 
             for (int w = 0; w < wings.Count; w++)
             {
-                InsectProblem problem = Find(wings[w], w);
+                InsectProblem problem = Find(wings[w], w, skeletons);
                 if (problem.IsProblem)
                     return problem;
             }
@@ -24,7 +26,7 @@ namespace Alate
         }
 
         /// <summary>Finds the problem that keeps one wing from being baked.</summary>
-        public static InsectProblem Find(Wing wing, int index)
+        private static InsectProblem Find(Wing wing, int index, AssetWatch<WingSkeleton, SkeletonValue> skeletons)
         {
             if (wing == null || wing.Renderer == null)
             {
@@ -59,7 +61,7 @@ namespace Alate
                     $"mesh '{mesh.name}' has no submesh {wing.Submesh}. Choose one from 0 to {mesh.subMeshCount - 1}.");
             }
 
-            return Skeleton(wing, index);
+            return Skeleton(wing, index, skeletons);
         }
 
         /// <summary>Authored mesh of a wing, also where its filter shows a living mesh or lost it; null where there is none.</summary>
@@ -101,15 +103,22 @@ namespace Alate
                     + "renderer in the inspector, then find the wings.");
         }
 
-        private static InsectProblem Skeleton(Wing wing, int index)
+        /// <summary>First reason why a skeleton cannot be used, a sentence; null where there is none.</summary>
+        public static string ProblemOf(WingSkeleton skeleton)
+        {
+            List<SkeletonProblem> problems = skeleton.Validate();
+            return problems.Count == 0 ? null : problems[0].Message;
+        }
+
+        private static InsectProblem Skeleton(Wing wing, int index, AssetWatch<WingSkeleton, SkeletonValue> skeletons)
         {
             if (wing.Skeleton == null)
                 return InsectProblem.None;
-            List<SkeletonProblem> problems = wing.Skeleton.Validate();
-            return problems.Count == 0
+            string problem = skeletons == null ? ProblemOf(wing.Skeleton) : skeletons.Of(wing.Skeleton).Problem;
+            return problem == null
                 ? InsectProblem.None
                 : new InsectProblem(InsectState.SkeletonInvalid, index,
-                    $"skeleton '{wing.Skeleton.name}' cannot be used: {problems[0].Message} Mend it in its inspector.");
+                    $"skeleton '{wing.Skeleton.name}' cannot be used: {problem} Mend it in its inspector.");
         }
     }
 }

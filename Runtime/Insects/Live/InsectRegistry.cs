@@ -9,9 +9,14 @@ namespace Alate
     {
         /// <summary>
         /// Most vertices of meshes that are built in one frame: a swarm that appears at once starts over several frames instead of stopping
-        /// the game. The first insect of a frame is always built.
+        /// the game. The first insect of a frame is always built, and while none lives, as after a scene was loaded, a frame may take long.
         /// </summary>
-        private const int k_VerticesPerFrame = 1 << 17;
+        private const int k_VerticesPerFrame = 5 << 11, k_VerticesAtFirst = 1 << 17;
+
+        /// <summary>
+        /// Most insects that a frame compares with what they were built of: all of a few, and of a crowd no more than could be built anew.
+        /// </summary>
+        private const int k_LooksPerFrame = 64;
 
         private readonly List<InsectWings> m_Arriving = new List<InsectWings>();
         private readonly List<LiveMesh> m_Leaving = new List<LiveMesh>();
@@ -20,13 +25,16 @@ namespace Alate
         private readonly FaultedInsects m_Broken;
         private readonly TemplateCache m_Templates = new TemplateCache();
         private readonly InsectBuilder m_Builder;
+        private readonly GpuSkins m_Skins;
         private readonly WingWorld m_World;
         private readonly AssetWatch<WingPreset, PresetValues> m_Presets;
+        private int m_Looked;
 
         public InsectRegistry(WingWorld world, AssetWatch<WingPreset, PresetValues> presets, GpuSkins skins)
         {
             m_World = world;
             m_Presets = presets;
+            m_Skins = skins;
             m_Builder = new InsectBuilder(m_Templates, m_Skeletons, skins);
             m_Broken = new FaultedInsects(m_Skeletons);
         }
@@ -67,17 +75,18 @@ namespace Alate
         /// <returns>Whether meshes were built.</returns>
         public bool UpdateRegistry()
         {
-            int vertices = k_VerticesPerFrame;
+            int most = Living.Count == 0 ? k_VerticesAtFirst : k_VerticesPerFrame, vertices = most;
             using (SystemMarkers.rebuild.Auto())
             {
                 LetGo();
                 m_Templates.FreeUnused();
                 m_Skeletons.EndRound();
                 m_Skeletons.Refresh();
-                for (int k = Living.Count - 1; k >= 0 && vertices > 0; k--)
+                for (int look = Math.Min(Living.Count, k_LooksPerFrame); look > 0 && vertices > 0; look--)
                 {
-                    if (!m_Builder.KeepUp(Living[k]))
-                        vertices -= Rebuild(Living[k]);
+                    m_Looked = (m_Looked <= 0 || m_Looked > Living.Count ? Living.Count : m_Looked) - 1;
+                    if (!m_Builder.KeepUp(Living[m_Looked]))
+                        vertices -= Rebuild(Living[m_Looked]);
                 }
 
                 m_Broken.TakeMended(m_Arriving);
@@ -86,7 +95,7 @@ namespace Alate
 
             using (SystemMarkers.start.Auto())
                 vertices -= Start(vertices);
-            return vertices < k_VerticesPerFrame;
+            return vertices < most;
         }
 
         /// <summary>Ends all insects.</summary>
@@ -135,11 +144,15 @@ namespace Alate
         // Who waits and fails to start must not be tried again and again, nor keep others waiting.
         private int Start(int most)
         {
-            int admitted = 0, vertices = 0;
+            int admitted = 0, vertices = 0, joints = m_Skins.Table.Joints;
             try
             {
                 while (admitted < m_Arriving.Count && vertices < most)
+                {
                     vertices += Start(m_Arriving[admitted++]);
+                    if (admitted == 1)
+                        m_Skins.Table.Expect((m_Arriving.Count - 1) * (m_Skins.Table.Joints - joints));
+                }
             }
             finally
             {
@@ -176,7 +189,10 @@ namespace Alate
             {
                 problem = m_Builder.Complete(live);
                 if (!problem.IsProblem)
+                {
                     live.Enter(m_World, m_Presets, leader);
+                    m_Skins.PlaceJoints(m_World);
+                }
             }
             catch (Exception exception)
             {
@@ -186,7 +202,7 @@ namespace Alate
 
             live.insect.Report(problem);
             if (!problem.IsProblem)
-                return live.VertexCount;
+                return live.VerticesBuilt;
             Retire(live);
             m_Broken.Add(live.insect);
             return 0;

@@ -89,8 +89,8 @@ namespace Alate
             }
         }
 
-        /// <summary>Number of vertices of the drawn meshes.</summary>
-        public int VertexCount => meshes.Sum(mesh => mesh.template.VertexCount);
+        /// <summary>Number of vertices that took as long to copy as its meshes took to make.</summary>
+        public int VerticesBuilt => meshes.Sum(mesh => mesh.VerticesBuilt);
 
         /// <summary>Adds the wings to the world that are not in it yet.</summary>
         /// <param name="world">Where all wings are.</param>
@@ -101,7 +101,7 @@ namespace Alate
             if (leader.IsNone)
             {
                 m_PackKey = new PackKey(Clock, owner, WingDetail.Full);
-                UpdateSurroundings(Physics.gravity, default);
+                UpdateSurroundings(Physics.gravity, null);
             }
 
             foreach (LiveWing wing in wings)
@@ -110,7 +110,7 @@ namespace Alate
                     continue;
                 wing.ApplyParameters(presets, new InsectTuning(insect, Fade), out WingParameters parameters);
                 wing.Place();
-                WingSurroundings around = wing.Surroundings(flight);
+                WingSurroundings around = wing.Surroundings(flight, Pitch);
                 wing.handle = world.Add(wing.rig, parameters, around.IsFinite ? around : default, m_PackKey, wing.packing, wing.moves);
                 world.SetSkinned(wing.handle, m_Skinned);
                 if (!leader.IsNone)
@@ -150,20 +150,26 @@ namespace Alate
             bool heeded = settings.onTeleport != TeleportResponse.Ignore;
             float distance = heeded ? settings.teleportDistance * length : MostSpeed * dt;
             float angle = heeded && settings.teleportAngle < 180f ? settings.teleportAngle : float.PositiveInfinity;
-            return motion.Sample(root.position, root.rotation, dt, length, distance, angle);
+            root.GetPositionAndRotation(out Vector3 position, out Quaternion rotation);
+            return motion.Sample(position, rotation, dt, length, distance, angle);
         }
 
         /// <summary>Records motion, wind and gravity of the body.</summary>
         /// <param name="gravity">World units per second squared.</param>
-        /// <param name="zoneWind">Of the wind zones, world units per second.</param>
-        public void UpdateSurroundings(float3 gravity, float3 zoneWind)
+        /// <param name="zones">The wind zones; null where none blows.</param>
+        public void UpdateSurroundings(float3 gravity, WindZones zones)
         {
             InsectMotion settings = insect.MotionSettings;
-            flight.position = root.position;
-            flight.forward = root.forward;
+            root.GetPositionAndRotation(out Vector3 position, out Quaternion rotation);
+            flight.position = position;
+            flight.forward = rotation * Vector3.forward;
             flight.gravity = gravity;
             flight.metresPerUnit = settings.metresPerUnit;
-            flight.wind = m_Wind.Guard((float3)insect.Air.wind + zoneWind, MostSpeed, "a wind", "world units/s", insect);
+            float3 wind = insect.Air.wind;
+            if (insect.Air.windZones && zones != null)
+                wind += zones.At(position);
+            float mostSpeed = MostSpeed;
+            flight.wind = m_Wind.Guard(wind, mostSpeed, "a wind", "world units/s", insect);
             float3 velocity = motion.Velocity, turning = motion.AngularVelocity;
             if (settings.source == VelocitySource.Script)
             {
@@ -176,7 +182,7 @@ namespace Alate
                 turning = body.angularVelocity;
             }
 
-            flight.velocity = m_Velocity.Guard(velocity, MostSpeed, "a velocity", "world units/s", insect);
+            flight.velocity = m_Velocity.Guard(velocity, mostSpeed, "a velocity", "world units/s", insect);
             flight.angularVelocity = m_Turning.Guard(turning, OuterBounds.Turning, "an angular velocity", "rad/s", insect);
         }
 
@@ -184,16 +190,14 @@ namespace Alate
         /// <returns>False when a wing has no size.</returns>
         public bool WriteSurroundings(WingWorld world)
         {
-            bool valid = true;
+            bool valid = true, flies = insect.Flyer != null;
+            float pitch = flies ? 0f : Pitch;
             foreach (LiveWing wing in wings)
             {
                 wing.Place();
                 valid &= wing.placed.isValid;
-                if (insect.Flyer != null)
-                    continue;
-                WingSurroundings around = wing.Surroundings(flight);
-                if (wing.placed.isValid && around.IsFinite)
-                    world.SetSurroundings(wing.handle, around);
+                if (wing.placed.isValid && !flies)
+                    world.TrySetSurroundings(wing.handle, wing.Surroundings(flight, pitch));
             }
 
             return valid;

@@ -39,6 +39,7 @@ namespace Alate
                 this.wings[w] = new LiveWing(wings[w], skeletons[w], template, w, m_Shown.Packing, m_Shown.Moves);
             }
 
+            m_Shown.Begin(this.wings);
             LivingMeshes.Add(m_Mesh, template.Source, filter);
             filter.sharedMesh = m_Mesh;
             m_Mode = renderer.motionVectorGenerationMode;
@@ -51,6 +52,9 @@ namespace Alate
         /// </summary>
         public string Obstacle { get; }
 
+        /// <summary>Number of vertices that took as long to copy as this took to make.</summary>
+        public int VerticesBuilt => template.VertexCount / m_Shown.SharedBy;
+
         /// <summary>
         /// Returns true where the filter still shows the living mesh (a script may have given it another), made of the current content of
         /// the authored mesh with the insect's number of patches, and as the insect wants it deformed.
@@ -61,10 +65,10 @@ namespace Alate
             && m_Shown.IsCurrent;
 
         /// <summary>Uploads the pose of all wings.</summary>
-        public void Upload(WingWorld world) => m_Shown.Upload(world, wings);
+        public void Upload(WingWorld world) => m_Shown.Upload(world);
 
         /// <summary>Takes away the motion of the last upload: the wings stay as they are.</summary>
-        public void Stop(WingWorld world) => m_Shown.Stop(world, wings);
+        public void Stop(WingWorld world) => m_Shown.Stop(world);
 
         /// <summary>Gives the filter its authored mesh back, unless a script gave it another, and frees what was shown.</summary>
         public void Restore()

@@ -70,8 +70,10 @@ namespace Alate
         }
 
         /// <summary>Surroundings of the wing in the body's flight, at its last frame in the world.</summary>
-        public WingSurroundings Surroundings(in BodyFlight flight) =>
-            placed.isValid ? flight.Around(placed, values.size.wingLength, values.size.gravityShare) : default;
+        /// <param name="flight">How the body moves.</param>
+        /// <param name="pitch">The body's pitch, radians.</param>
+        public WingSurroundings Surroundings(in BodyFlight flight, float pitch) =>
+            placed.isValid ? flight.Around(placed, values.size.wingLength, values.size.gravityShare, pitch) : default;
 
         /// <summary>Folds the wing, or lets it beat again.</summary>
         /// <param name="world">Where the wing is.</param>

@@ -7,7 +7,8 @@ namespace Alate
     internal sealed class SkeletonValue : WatchedValue
     {
         private readonly WingSkeleton m_Skeleton;
-        private uint m_Hash;
+        private uint m_Hash, m_Checked;
+        private string m_Problem;
 
         /// <param name="skeleton">May be null.</param>
         public SkeletonValue(WingSkeleton skeleton)
@@ -23,6 +24,20 @@ namespace Alate
             {
                 Use();
                 return m_Hash;
+            }
+        }
+
+        /// <summary>First reason why the skeleton cannot be used, a sentence, found once for a content; null where there is none.</summary>
+        public string Problem
+        {
+            get
+            {
+                if (m_Skeleton == null)
+                    return null;
+                if (m_Checked != Hash)
+                    m_Problem = InsectCheck.ProblemOf(m_Skeleton);
+                m_Checked = Hash;
+                return m_Problem;
             }
         }
 

@@ -18,13 +18,12 @@ namespace Alate
         /// <summary>Most texels: those that a float counts one by one.</summary>
         private const int k_MostTexels = 1 << 24;
 
-        private const int k_TexelsOfAJoint = 2, k_BytesOfAJoint = 32, k_JointsInARow = Width / k_TexelsOfAJoint, k_LeastRows = 8;
+        private const int k_TexelsOfAJoint = 2, k_BytesOfATexel = 16, k_JointsInARow = Width / k_TexelsOfAJoint, k_LeastRows = 8;
 
         private readonly Dictionary<int, Stack<int>> m_Free = new Dictionary<int, Stack<int>>();
         private readonly int m_MostRows;
         private int m_Rows = k_LeastRows, m_End, m_Movers;
         private bool m_IsWritten, m_WasWritten;
-        private NativeArray<float4> m_Texels;
 
         /// <param name="largestTexture">Largest side of a texture on the device, pixels.</param>
         public SkinTable(int largestTexture) => m_MostRows = math.min(largestTexture, k_MostTexels / Width);
@@ -66,6 +65,19 @@ namespace Alate
             return true;
         }
 
+        /// <summary>
+        /// Makes room for joints that will be taken soon, so that the texture is made once for all of them; does nothing where it cannot
+        /// hold them.
+        /// </summary>
+        public void Expect(int joints)
+        {
+            int rows = m_Rows, parts = m_Movers > 0 ? 2 : 1;
+            while (m_End + joints > rows * k_JointsInARow && rows * parts < m_MostRows)
+                rows *= 2;
+            if (Texture != null && rows * parts <= m_MostRows)
+                Reserve(rows, parts);
+        }
+
         /// <summary>Gives a block back.</summary>
         public void Return(int start, int joints, bool moves)
         {
@@ -87,22 +99,26 @@ namespace Alate
             // Not before: materials show the texture until they are refreshed at the end of a picture.
             if (m_Movers == 0)
                 Reserve(m_Rows, 1);
-            m_Texels = Texture.GetPixelData<float4>(0);
+            NativeArray<float4> texels = Texture.GetPixelData<float4>(0);
             if (m_WasWritten && Last > 0)
-                NativeArray<float4>.Copy(m_Texels, 0, m_Texels, Last, m_End * k_TexelsOfAJoint);
+                NativeArray<float4>.Copy(texels, 0, texels, Last, m_End * k_TexelsOfAJoint);
         }
 
-        /// <summary>Writes the transforms of a wing.</summary>
-        /// <param name="start">Its first joint.</param>
-        /// <param name="palette">The transforms.</param>
-        /// <param name="movedOn">Whether those of the last picture stand in the texture; otherwise the wing has no past.</param>
-        public void Write(int start, NativeArray<DualQuaternion> palette, bool movedOn)
+        /// <summary>Transforms of joints, in the texture: good until <see cref="Version"/> changes.</summary>
+        /// <param name="start">The first joint.</param>
+        /// <param name="joints">How many.</param>
+        public NativeArray<DualQuaternion> Block(int start, int joints) => Texture.GetPixelData<float4>(0)
+            .GetSubArray(start * k_TexelsOfAJoint, joints * k_TexelsOfAJoint).Reinterpret<DualQuaternion>(k_BytesOfATexel);
+
+        /// <summary>Notes that transforms were written for this picture.</summary>
+        public void MarkWritten() => m_IsWritten = true;
+
+        /// <summary>Takes the past from a block that was written: the last picture has not shown what it moves on from.</summary>
+        public void ForgetPast(int start, int joints)
         {
-            NativeArray<float4> written = palette.Reinterpret<float4>(k_BytesOfAJoint);
-            NativeArray<float4>.Copy(written, 0, m_Texels, start * k_TexelsOfAJoint, written.Length);
-            if (!movedOn && Last > 0)
-                NativeArray<float4>.Copy(written, 0, m_Texels, start * k_TexelsOfAJoint + Last, written.Length);
-            m_IsWritten = true;
+            NativeArray<float4> texels = Texture.GetPixelData<float4>(0);
+            int first = start * k_TexelsOfAJoint;
+            NativeArray<float4>.Copy(texels, first, texels, first + Last, joints * k_TexelsOfAJoint);
         }
 
         /// <summary>Ends a picture: sends what changed to the graphics card.</summary>

@@ -188,6 +188,9 @@ namespace Alate
             Write(entry);
         }
 
+        /// <summary>Takes over where a wing's joints are written.</summary>
+        public void SetPalette(WingEntry entry) => Write(entry);
+
         /// <summary>Bounds of one wing's deformed vertices.</summary>
         public Bounds Bounds(WingEntry entry)
         {
@@ -216,6 +219,7 @@ namespace Alate
             SkinTarget target = m_Targets[entry.target];
             target.skinned = entry.skinned;
             target.displaces = entry.displaces;
+            target.palette = (DualQuaternion*)Pointer(entry.palette);
             m_Targets[entry.target] = target;
         }
 

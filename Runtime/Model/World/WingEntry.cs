@@ -36,6 +36,8 @@ namespace Alate
         /// <summary>Transforms of the joints; created where they take the place of vertices.</summary>
         public NativeArray<DualQuaternion> palette;
 
+        private bool m_IsPaletteLent;
+
         /// <summary>Index of the wing's first chunk in the skinning job, and number of chunks.</summary>
         public int firstChunk;
         public int chunkCount;
@@ -97,6 +99,25 @@ namespace Alate
             }
         }
 
+        /// <summary>Lets the wing meet other surroundings from the next substep on.</summary>
+        public unsafe void Meet(in WingSurroundings around)
+        {
+            surroundings = around;
+            for (int to = 0; to < WingPack.Lanes; to++)
+            {
+                if (pack.Writes(lane, to))
+                    pack.view.surroundings->Set(to, around);
+            }
+        }
+
+        /// <summary>Lets the joints' transforms be written into memory of somebody else, who keeps it.</summary>
+        public void Lend(NativeArray<DualQuaternion> memory)
+        {
+            FreePalette();
+            palette = memory;
+            m_IsPaletteLent = true;
+        }
+
         public void Dispose()
         {
             GrowingArray.Free(ref vertices);
@@ -104,8 +125,14 @@ namespace Alate
             GrowingArray.Free(ref packedVertices);
             GrowingArray.Free(ref packedTangents);
             GrowingArray.Free(ref displacements);
-            GrowingArray.Free(ref palette);
+            FreePalette();
             rig.Release();
+        }
+
+        private void FreePalette()
+        {
+            if (!m_IsPaletteLent)
+                GrowingArray.Free(ref palette);
         }
     }
 }

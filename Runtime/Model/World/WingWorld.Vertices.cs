@@ -31,6 +31,17 @@ namespace Alate
         internal NativeArray<DualQuaternion> Palette(WingHandle wing) => Entry(wing).palette;
 
         /// <summary>
+        /// Lets <see cref="Skin"/> write the joints' transforms of a wing that was added without vertices into memory of the caller's, one
+        /// a joint, which stays until the wing is removed or gets other memory.
+        /// </summary>
+        internal void LendPalette(WingHandle wing, NativeArray<DualQuaternion> memory)
+        {
+            WingEntry entry = Entry(wing);
+            entry.Lend(memory);
+            m_Arrays.SetPalette(entry);
+        }
+
+        /// <summary>
         /// Returns true where a picture has shown what the next one moves on from: false after a reset or a time in which the wing was not
         /// deformed.
         /// </summary>

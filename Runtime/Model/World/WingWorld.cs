@@ -129,16 +129,17 @@ namespace Alate
 
         /// <summary>Sets the surroundings of a wing, effective from the next substep on.</summary>
         /// <exception cref="ArgumentException">No such wing, or a value that is not finite.</exception>
-        public unsafe void SetSurroundings(WingHandle wing, in WingSurroundings surroundings)
+        public void SetSurroundings(WingHandle wing, in WingSurroundings surroundings)
         {
             Check(surroundings);
-            WingEntry entry = Entry(wing);
-            entry.surroundings = surroundings;
-            for (int lane = 0; lane < WingPack.Lanes; lane++)
-            {
-                if (entry.pack.Writes(entry.lane, lane))
-                    entry.pack.view.surroundings->Set(lane, surroundings);
-            }
+            Entry(wing).Meet(surroundings);
+        }
+
+        /// <summary>Sets the surroundings of a wing where all of them are finite; otherwise the former ones count.</summary>
+        internal void TrySetSurroundings(WingHandle wing, in WingSurroundings surroundings)
+        {
+            if (surroundings.IsFinite)
+                Entry(wing).Meet(surroundings);
         }
 
         /// <summary>Puts a wing back to the start of its beat, in the driven pose, at rest.</summary>

@@ -1,5 +1,6 @@
 using System;
 using System.Collections;
+using System.Collections.Generic;
 using System.Linq;
 using System.Text.RegularExpressions;
 using Alate.Catalogue;
@@ -104,6 +105,49 @@ public sealed class GpuSkinningTests : FlockFixture
         Assert.That(copy.enableInstancing && copy.IsKeywordEnabled("_SKINNED"));
         Assert.That(m_Material.enableInstancing || m_Material.IsKeywordEnabled("_SKINNED"), Is.False, "the asset stays as it is");
         Assert.That(WingSystem.Loop.Skins.Materials.Count, Is.EqualTo(1));
+    }
+
+    [UnityTest]
+    public IEnumerator AFrame_StartsFourTimesAsMany_AsTheProcessorWould_AndTheTextureIsMadeOnce()
+    {
+        int counted = WingMesh.vertexCount / 4 * 2, each = (10240 + counted - 1) / counted;
+        Hatched(WingSkinning.Gpu);
+        yield return Frames(3);
+        int joints = WingSystem.Loop.Skins.Table.Joints;
+        for (int k = 0; k < each + 200; k++)
+            Hatched(WingSkinning.Gpu);
+        yield return null;
+        Assert.That(WingSystem.InsectCount, Is.EqualTo(1 + each));
+        int version = WingSystem.Loop.Skins.Table.Version;
+        while (WingSystem.InsectCount < each + 201)
+            yield return null;
+        Assert.That(WingSystem.Loop.Skins.Table.Version, Is.EqualTo(version), "room for all who wait was made at first");
+        Assert.That(WingSystem.Loop.Skins.Table.Joints, Is.EqualTo((each + 201) * joints));
+    }
+
+    // 64 KB of constants hold 511 instances of two matrices and what the shader adds.
+    [UnityTest]
+    public IEnumerator AThousandInsectsOfThreeKinds_AreTwelveDrawCallsOrFewer()
+    {
+        var renderers = new List<Renderer>();
+        foreach (string kind in new[] { "monarch", "swallowtail", "dragonfly" })
+        {
+            for (int k = 0; k < 3; k++)
+            {
+                InsectWings insect = InsectFactory.Create(InsectCatalogue.Find(kind), InsectVariant.Standard);
+                Keep(insect.gameObject);
+                insect.Quality.skinning = WingSkinning.Gpu;
+                insect.Quality.culling = WingCulling.AlwaysSimulate;
+                renderers.AddRange(insect.Wings.Select(wing => wing.Renderer));
+            }
+        }
+
+        yield return Frames(5);
+        Assert.That(renderers.Count, Is.EqualTo(3 * (2 + 4 + 4)));
+        Assert.That(renderers.All(renderer => renderer.sharedMaterial.enableInstancing), Is.True);
+        int draws = renderers.GroupBy(renderer => (renderer.GetComponent<MeshFilter>().sharedMesh, renderer.sharedMaterial))
+            .Sum(group => (group.Count() * 1000 / 9 + 510) / 511);
+        Assert.That(draws, Is.LessThanOrEqualTo(12));
     }
 
     [UnityTest]

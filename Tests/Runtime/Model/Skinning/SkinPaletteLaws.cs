@@ -15,7 +15,7 @@ namespace Alate.Tests
                 ref WingPack pack = ref fixture.Pack;
                 int joints = pack.rig.jointCount;
                 var random = new Random(mirrored ? 71u : 70u);
-                var palette = stackalloc DualQuaternion[joints + 1];
+                DualQuaternion* palette = stackalloc DualQuaternion[joints + 1];
                 for (int draw = 0; draw < 100; draw++)
                 {
                     Draw(ref pack, ref random);
