@@ -1,3 +1,4 @@
+using System;
 using System.Collections.Generic;
 using System.IO;
 using System.Linq;
@@ -36,11 +37,24 @@ namespace Alate.Tests.Architecture
             Assert.That(halves, Has.Length.EqualTo(2));
             Assert.That(halves.SelectMany(names => names), Has.None.Contains("!").And.None.Contains("&"));
 
+            AreInOneEach(halves);
+        }
+
+        [Test]
+        public void EachPartOfTheLongRun_NamesItsTests_AndTogetherTheyAreAll()
+        {
+            string[] parts = File.ReadAllLines(Path.Combine(PackageRoot.Find(), ".ci", "long-parts"));
+            Assert.That(parts.Select(part => part.Split(": ")[0]), Is.EqualTo(new[] { "goals", "flights", "commands", "scenes", "models" }));
+            AreInOneEach(Array.ConvertAll(parts, part => part.Split(": ")[1].Split(' ')));
+        }
+
+        private static void AreInOneEach(string[][] parts)
+        {
             string[] tests = [.. typeof(LongTests).Assembly.GetTypes().SelectMany(type => type.GetMethods().Where(test => IsLong(type)
                 || IsLong(test) || test.GetCustomAttributes<TestCaseAttribute>().Any(one => one.Category == "Long"))
                 .Select(test => $"{type.FullName}.{test.Name}"))];
             Assert.That(tests, Has.Length.GreaterThan(100));
-            Assert.That(tests.Where(test => halves.Count(names => names.Any(test.Contains)) != 1), Is.Empty);
+            Assert.That(tests.Where(test => parts.Count(names => names.Any(test.Contains)) != 1), Is.Empty);
         }
 
         private static bool IsLong(MemberInfo place) =>
