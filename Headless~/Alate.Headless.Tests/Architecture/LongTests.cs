@@ -44,7 +44,8 @@ namespace Alate.Tests.Architecture
         public void EachPartOfTheLongRun_NamesItsTests_AndTogetherTheyAreAll()
         {
             string[] parts = File.ReadAllLines(Path.Combine(PackageRoot.Find(), ".ci", "long-parts"));
-            Assert.That(parts.Select(part => part.Split(": ")[0]), Is.EqualTo(new[] { "goals", "flights", "commands", "scenes", "models" }));
+            string[] named = ["goals", "flights", "commands", "scenes", "models"];
+            Assert.That(parts.Select(part => part.Split(": ")[0]), Is.EqualTo(named));
             AreInOneEach(Array.ConvertAll(parts, part => part.Split(": ")[1].Split(' ')));
         }
 
