@@ -67,8 +67,9 @@ internal static class UploadComparison
                     m_Starts.Add(start);
             }
 
+            m_World.JointMemory = m_Table;
             for (int k = 0; k < m_Starts.Count; k++)
-                m_World.LendPalette(m_Wings[k].wing, m_Table.Block(m_Starts[k], rig.JointCount));
+                m_World.PlaceJoints(m_Wings[k].wing, m_Starts[k]);
             m_World.Step(0.02f);
             m_World.Skin();
         }

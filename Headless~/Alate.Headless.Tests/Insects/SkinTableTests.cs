@@ -88,9 +88,13 @@ public sealed class SkinTableTests
         {
             float value = random.NextSingle();
             bool movedOn = m_Written.TryGetValue(start, out (float Now, float Last) before) && random.Next(5) > 0;
-            NativeArray<DualQuaternion> palette = table.Block(start, joints);
+            NativeArray<float4> texels = table.Texels;
             for (int joint = 0; joint < joints; joint++)
-                palette[joint] = new DualQuaternion { real = value + joint, dual = -value - joint };
+            {
+                texels[2 * (start + joint)] = value + joint;
+                texels[2 * (start + joint) + 1] = -value - joint;
+            }
+
             table.MarkWritten();
             if (!movedOn && table.Last > 0)
                 table.ForgetPast(start, joints);

@@ -23,7 +23,7 @@ namespace Alate
 
         public FrameLoop()
         {
-            World = new WingWorld();
+            World = new WingWorld { JointMemory = Skins.Table };
             m_Registry = new InsectRegistry(World, m_Presets, Skins);
         }
 
@@ -268,7 +268,7 @@ namespace Alate
             }
 
             using (SystemMarkers.upload.Auto())
-                Skins.BeginPicture(World);
+                Skins.BeginPicture();
             if (m_Clocks.times.AnyDrawn())
             {
                 using (SystemMarkers.schedule.Auto())

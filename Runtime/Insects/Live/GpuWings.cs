@@ -4,7 +4,7 @@ using UnityEngine;
 namespace Alate
 {
     /// <summary>Wings that the graphics card deforms: their joints go into the texture that all insects share.</summary>
-    internal sealed class GpuWings : ShownWings, IJointOwner
+    internal sealed class GpuWings : ShownWings
     {
         private static readonly int s_Start = Shader.PropertyToID("_SkinStart"), s_Tint = Shader.PropertyToID("_SkinTint");
         private static readonly List<Material> s_Shown = new List<Material>();
@@ -28,7 +28,6 @@ namespace Alate
             m_Copies = System.Array.ConvertAll(m_Sources, skins.Materials.Acquire);
             renderer.sharedMaterials = m_Copies;
             TellStart();
-            skins.Add(this);
         }
 
         public override Mesh Mesh => m_Template.Skinned;
@@ -71,6 +70,8 @@ namespace Alate
             return null;
         }
 
+        public override int FirstJoint(int wing) => m_Start + m_Template.FirstJoints[wing];
+
         public override void Upload(WingWorld world)
         {
             if (m_Renderer == null)
@@ -90,21 +91,8 @@ namespace Alate
             for (int w = 0; w < Wings.Length; w++)
             {
                 if (!world.IsMovedOn(Wings[w].handle))
-                    m_Skins.Table.ForgetPast(m_Start + m_Template.FirstJoints[w], Wings[w].rig.JointCount);
+                    m_Skins.Table.ForgetPast(FirstJoint(w), Wings[w].rig.JointCount);
                 world.TakePicture(Wings[w].handle);
-            }
-        }
-
-        /// <inheritdoc/>
-        public void PlaceJoints(WingWorld world)
-        {
-            for (int w = 0; w < Wings.Length; w++)
-            {
-                if (!Wings[w].handle.IsNone)
-                {
-                    world.LendPalette(
-                        Wings[w].handle, m_Skins.Table.Block(m_Start + m_Template.FirstJoints[w], Wings[w].rig.JointCount));
-                }
             }
         }
 
@@ -115,7 +103,6 @@ namespace Alate
 
         public override void Restore()
         {
-            m_Skins.Remove(this);
             if (m_Renderer != null)
             {
                 Material[] shown = m_Renderer.sharedMaterials;

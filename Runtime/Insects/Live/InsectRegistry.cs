@@ -189,10 +189,7 @@ namespace Alate
             {
                 problem = m_Builder.Complete(live);
                 if (!problem.IsProblem)
-                {
                     live.Enter(m_World, m_Presets, leader);
-                    m_Skins.PlaceJoints(m_World);
-                }
             }
             catch (Exception exception)
             {

@@ -112,6 +112,8 @@ namespace Alate
                 wing.Place();
                 WingSurroundings around = wing.Surroundings(flight, Pitch);
                 wing.handle = world.Add(wing.rig, parameters, around.IsFinite ? around : default, m_PackKey, wing.packing, wing.moves);
+                if (wing.joint >= 0)
+                    world.PlaceJoints(wing.handle, wing.joint);
                 world.SetSkinned(wing.handle, m_Skinned);
                 if (!leader.IsNone)
                     world.Follow(wing.handle, leader);

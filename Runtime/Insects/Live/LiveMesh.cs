@@ -36,7 +36,7 @@ namespace Alate
             for (int w = 0; w < wings.Length; w++)
             {
                 wings[w].Authored = template.Source;
-                this.wings[w] = new LiveWing(wings[w], skeletons[w], template, w, m_Shown.Packing, m_Shown.Moves);
+                this.wings[w] = new LiveWing(wings[w], skeletons[w], template, w, m_Shown);
             }
 
             m_Shown.Begin(this.wings);

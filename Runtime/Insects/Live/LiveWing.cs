@@ -19,6 +19,9 @@ namespace Alate
         /// <summary>True where the ways of the vertices from picture to picture are computed.</summary>
         public readonly bool moves;
 
+        /// <summary>First joint in the world's joint memory; −1 where vertices are computed.</summary>
+        public readonly int joint;
+
         public WingHandle handle;
         public PlacedWing placed;
 
@@ -33,12 +36,13 @@ namespace Alate
         private readonly TemplateKey.WingKey m_Key;
         private readonly SkeletonValue m_Skeleton;
 
-        public LiveWing(Wing wing, SkeletonValue skeleton, MeshTemplate template, int shape, VertexPacking packing, bool moves)
+        public LiveWing(Wing wing, SkeletonValue skeleton, MeshTemplate template, int shape, ShownWings shown)
         {
             m_Wing = wing;
             m_Skeleton = skeleton;
-            this.packing = packing;
-            this.moves = moves;
+            packing = shown.Packing;
+            moves = shown.Moves;
+            joint = shown.FirstJoint(shape);
             m_Key = new TemplateKey.WingKey(wing, skeleton.Hash);
             renderer = wing.Renderer;
             rig = template.Shapes[shape].Rig;

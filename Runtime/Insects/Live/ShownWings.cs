@@ -26,6 +26,9 @@ namespace Alate
         /// <summary>Takes over the wings on the mesh.</summary>
         public void Begin(LiveWing[] wings) => Wings = wings;
 
+        /// <summary>First joint of a wing in the world's joint memory; −1 where it has vertices.</summary>
+        public virtual int FirstJoint(int wing) => -1;
+
         /// <summary>Uploads the pose of all wings.</summary>
         public abstract void Upload(WingWorld world);
 

@@ -1,5 +1,4 @@
 using System;
-using System.Collections.Generic;
 using UnityEngine;
 
 namespace Alate
@@ -7,10 +6,6 @@ namespace Alate
     /// <summary>Texture and materials of the wings that the graphics card deforms.</summary>
     internal sealed class GpuSkins : IDisposable
     {
-        private readonly HashSet<IJointOwner> m_Wings = new HashSet<IJointOwner>();
-        private readonly List<IJointOwner> m_Unplaced = new List<IJointOwner>();
-        private int m_Version;
-
         public GpuSkins()
         {
             Table = new SkinTable(SystemInfo.maxTextureSize);
@@ -49,41 +44,8 @@ namespace Alate
             return renderer.TryGetComponent(out MeshCollider _) ? $"a MeshCollider on '{renderer.name}' reads the vertices" : null;
         }
 
-        /// <summary>Adds wings, whose joints get their place in the texture by <see cref="PlaceJoints"/>.</summary>
-        public void Add(IJointOwner wings)
-        {
-            m_Wings.Add(wings);
-            m_Unplaced.Add(wings);
-        }
-
-        /// <summary>Removes wings.</summary>
-        public void Remove(IJointOwner wings)
-        {
-            m_Wings.Remove(wings);
-            m_Unplaced.Remove(wings);
-        }
-
-        /// <summary>Lets the jobs write the joints of new wings into the texture, and of all once it is another one.</summary>
-        public void PlaceJoints(WingWorld world)
-        {
-            if (m_Version != Table.Version)
-            {
-                m_Version = Table.Version;
-                m_Unplaced.Clear();
-                m_Unplaced.AddRange(m_Wings);
-            }
-
-            foreach (IJointOwner wings in m_Unplaced)
-                wings.PlaceJoints(world);
-            m_Unplaced.Clear();
-        }
-
         /// <summary>Begins a picture, before its transforms are computed.</summary>
-        public void BeginPicture(WingWorld world)
-        {
-            Table.Begin();
-            PlaceJoints(world);
-        }
+        public void BeginPicture() => Table.Begin();
 
         /// <summary>Sends the transforms of a picture to the graphics card.</summary>
         public void EndPicture()

@@ -10,7 +10,7 @@ namespace Alate
     /// Texture with the joints' transforms of all wings that the graphics card deforms: dual quaternions, two texels a joint, one block a
     /// mesh. Its upper half holds those of the last picture, where motion vectors are wanted. 32 bytes a joint, 64 with motion.
     /// </summary>
-    internal sealed class SkinTable : IDisposable
+    internal sealed class SkinTable : IDisposable, IJointMemory
     {
         /// <summary>Texels in a row; the shader counts with the same number.</summary>
         public const int Width = 1024;
@@ -18,7 +18,7 @@ namespace Alate
         /// <summary>Most texels: those that a float counts one by one.</summary>
         private const int k_MostTexels = 1 << 24;
 
-        private const int k_TexelsOfAJoint = 2, k_BytesOfATexel = 16, k_JointsInARow = Width / k_TexelsOfAJoint, k_LeastRows = 8;
+        private const int k_TexelsOfAJoint = 2, k_JointsInARow = Width / k_TexelsOfAJoint, k_LeastRows = 8;
 
         private readonly Dictionary<int, Stack<int>> m_Free = new Dictionary<int, Stack<int>>();
         private readonly int m_MostRows;
@@ -30,6 +30,9 @@ namespace Alate
 
         /// <summary>The texture; null before the first block is taken.</summary>
         public Texture2D Texture { get; private set; }
+
+        /// <inheritdoc/>
+        public NativeArray<float4> Texels => Texture == null ? default : Texture.GetPixelData<float4>(0);
 
         /// <summary>Texels from a transform to that of the last picture; 0 where motion vectors are not wanted.</summary>
         public int Last => m_Movers > 0 ? m_Rows * Width : 0;
@@ -104,19 +107,13 @@ namespace Alate
                 NativeArray<float4>.Copy(texels, 0, texels, Last, m_End * k_TexelsOfAJoint);
         }
 
-        /// <summary>Transforms of joints, in the texture: good until <see cref="Version"/> changes.</summary>
-        /// <param name="start">The first joint.</param>
-        /// <param name="joints">How many.</param>
-        public NativeArray<DualQuaternion> Block(int start, int joints) => Texture.GetPixelData<float4>(0)
-            .GetSubArray(start * k_TexelsOfAJoint, joints * k_TexelsOfAJoint).Reinterpret<DualQuaternion>(k_BytesOfATexel);
-
         /// <summary>Notes that transforms were written for this picture.</summary>
         public void MarkWritten() => m_IsWritten = true;
 
         /// <summary>Takes the past from a block that was written: the last picture has not shown what it moves on from.</summary>
         public void ForgetPast(int start, int joints)
         {
-            NativeArray<float4> texels = Texture.GetPixelData<float4>(0);
+            NativeArray<float4> texels = Texels;
             int first = start * k_TexelsOfAJoint;
             NativeArray<float4>.Copy(texels, first, texels, first + Last, joints * k_TexelsOfAJoint);
         }

@@ -4,7 +4,7 @@ namespace Alate
 {
     /// <summary>Wing as passed to the skinning job: its pose, its rig, and the vertices to write.</summary>
     /// <remarks>
-    /// 440 bytes a wing, the rig's view by value: a chunk of the job needs nothing but its target and the pack.
+    /// 448 bytes a wing, the rig's view by value: a chunk of the job needs nothing but its target and the pack.
     /// </remarks>
     internal unsafe struct SkinTarget
     {
@@ -38,6 +38,9 @@ namespace Alate
 
         /// <summary>[jointCount] Transforms of the joints, in place of vertices; null where the job deforms the mesh.</summary>
         public DualQuaternion* palette;
+
+        /// <summary>Index of the first joint in the job's joints and 1, in place of a palette of its own; 0 for none.</summary>
+        public int placed;
     }
 
     /// <summary>Work of one index of the skinning job: some quads of one wing.</summary>

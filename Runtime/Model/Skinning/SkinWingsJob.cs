@@ -17,8 +17,9 @@ namespace Alate
         [ReadOnly] public NativeArray<SkinTarget> targets;
         [ReadOnly] public NativeArray<WingPack> packs;
 
-        // Output, besides the vertices behind the targets.
+        // Output, besides the vertices behind the targets; each wing writes its own joints.
         public NativeArray<ChunkBounds> bounds;
+        [NativeDisableParallelForRestriction] public NativeArray<float4> joints;
 
         /// <summary>Checks the fields before the job is scheduled over a number of chunks.</summary>
         /// <exception cref="System.ArgumentException">One is out of its range; names it, its value and the range.</exception>
@@ -37,6 +38,12 @@ namespace Alate
                 JobFields.InRange(target.lane, 0, WingPack.Lanes - 1, "SkinWingsJob.targets.lane");
                 JobFields.InRange(chunk.endQuad, 0, target.rig.quadCount, "SkinWingsJob.chunks.endQuad");
                 JobFields.InRange(chunk.firstQuad, 0, chunk.endQuad, "SkinWingsJob.chunks.firstQuad");
+                if (target.placed > 0)
+                {
+                    JobFields.AtLeast(joints.Length, 2 * (target.placed - 1 + target.rig.jointCount), "SkinWingsJob.joints");
+                    continue;
+                }
+
                 if (target.palette != null)
                     continue;
                 JobFields.AtLeast(target.vertices == null && target.packedVertices == null ? 0 : target.rig.vertexCount,
@@ -56,9 +63,10 @@ namespace Alate
             ClockTime clock = clocks[pack.clock];
             if (!clock.IsDrawn)
                 return;
-            if (target.palette != null)
+            if (target.placed > 0 || target.palette != null)
             {
-                SkinPalette.Evaluate(pack, target, clock.alpha, target.palette);
+                DualQuaternion* own = target.placed > 0 ? (DualQuaternion*)joints.GetUnsafePtr() + target.placed - 1 : target.palette;
+                SkinPalette.Evaluate(pack, target, clock.alpha, own);
                 return;
             }
 

@@ -22,6 +22,7 @@ namespace Alate
         private NativeArray<SkinTarget> m_Targets;
         private NativeArray<SkinChunk> m_Chunks;
         private NativeArray<ChunkBounds> m_Bounds;
+        private NativeArray<float4> m_NoJoints = new NativeArray<float4>(1, Allocator.Persistent);
         private int m_PackCount;
         private int m_ChunkCount;
         private bool m_Stale;
@@ -84,7 +85,7 @@ namespace Alate
                     continue;
                 MarkCarrier(entry);
                 targets++;
-                entry.chunkCount = entry.palette.IsCreated ? 1 : (entry.rig.View.quadCount + k_QuadsPerChunk - 1) / k_QuadsPerChunk;
+                entry.chunkCount = entry.HasJoints ? 1 : (entry.rig.View.quadCount + k_QuadsPerChunk - 1) / k_QuadsPerChunk;
                 chunks += entry.chunkCount;
             }
 
@@ -118,7 +119,7 @@ namespace Alate
             return job.ScheduleParallel(m_Bodies.GroupCount, 1, after);
         }
 
-        public JobHandle ScheduleSkin(in ClockTimes clocks, JobHandle after)
+        public JobHandle ScheduleSkin(in ClockTimes clocks, NativeArray<float4> joints, JobHandle after)
         {
             JobCount++;
             var job = new SkinWingsJob
@@ -128,6 +129,7 @@ namespace Alate
                 targets = m_Targets,
                 packs = m_Packs,
                 bounds = m_Bounds,
+                joints = joints.IsCreated ? joints : m_NoJoints,
             };
             job.Validate(m_ChunkCount);
             return job.ScheduleParallel(m_ChunkCount, 1, after);
@@ -189,13 +191,15 @@ namespace Alate
         }
 
         /// <summary>Takes over where a wing's joints are written.</summary>
-        public void SetPalette(WingEntry entry) => Write(entry);
+        public void SetPlace(WingEntry entry) => Write(entry);
 
         /// <summary>Bounds of one wing's deformed vertices.</summary>
-        public Bounds Bounds(WingEntry entry)
+        /// <param name="entry">The wing.</param>
+        /// <param name="joints">Memory in which joints are placed.</param>
+        public Bounds Bounds(WingEntry entry, NativeArray<float4> joints)
         {
-            ChunkBounds all = entry.palette.IsCreated
-                ? PaletteBounds.Of(entry.rig.View, entry.rig.Frame, (DualQuaternion*)Pointer(entry.palette))
+            var palette = (DualQuaternion*)(entry.placed > 0 ? (float4*)Pointer(joints) + 2 * (entry.placed - 1) : Pointer(entry.palette));
+            ChunkBounds all = palette != null ? PaletteBounds.Of(entry.rig.View, entry.rig.Frame, palette)
                 : m_Stale ? entry.bounds : Merged(entry);
             return new Bounds(0.5f * (all.min + all.max), all.max - all.min);
         }
@@ -207,6 +211,7 @@ namespace Alate
             GrowingArray.Free(ref m_Targets);
             GrowingArray.Free(ref m_Chunks);
             GrowingArray.Free(ref m_Bounds);
+            GrowingArray.Free(ref m_NoJoints);
             if (m_Scratch != null)
                 UnsafeUtility.FreeTracked(m_Scratch, Allocator.Persistent);
             m_Scratch = null;
@@ -220,6 +225,7 @@ namespace Alate
             target.skinned = entry.skinned;
             target.displaces = entry.displaces;
             target.palette = (DualQuaternion*)Pointer(entry.palette);
+            target.placed = entry.placed;
             m_Targets[entry.target] = target;
         }
 
@@ -286,6 +292,7 @@ namespace Alate
                 displaces = entry.displaces,
                 displacements = (VertexDisplacement*)Pointer(entry.displacements),
                 palette = (DualQuaternion*)Pointer(entry.palette),
+                placed = entry.placed,
             };
             entry.firstChunk = m_ChunkCount;
             int quads = entry.rig.View.quadCount;

@@ -33,10 +33,11 @@ namespace Alate
         /// <summary>Ways of the vertices since the last picture; not created where they are not wanted.</summary>
         public NativeArray<VertexDisplacement> displacements;
 
-        /// <summary>Transforms of the joints; created where they take the place of vertices.</summary>
+        /// <summary>Transforms of the joints; created where they take the place of vertices and are not placed elsewhere.</summary>
         public NativeArray<DualQuaternion> palette;
 
-        private bool m_IsPaletteLent;
+        /// <summary>Index of the first joint in the world's joint memory and 1; 0 where the transforms are not placed there.</summary>
+        public int placed;
 
         /// <summary>Index of the wing's first chunk in the skinning job, and number of chunks.</summary>
         public int firstChunk;
@@ -110,12 +111,14 @@ namespace Alate
             }
         }
 
-        /// <summary>Lets the joints' transforms be written into memory of somebody else, who keeps it.</summary>
-        public void Lend(NativeArray<DualQuaternion> memory)
+        /// <summary>True where the transforms of the joints take the place of vertices.</summary>
+        public bool HasJoints => placed > 0 || palette.IsCreated;
+
+        /// <summary>Places the transforms of the joints in the world's joint memory.</summary>
+        public void Place(int firstJoint)
         {
-            FreePalette();
-            palette = memory;
-            m_IsPaletteLent = true;
+            GrowingArray.Free(ref palette);
+            placed = firstJoint + 1;
         }
 
         public void Dispose()
@@ -125,14 +128,8 @@ namespace Alate
             GrowingArray.Free(ref packedVertices);
             GrowingArray.Free(ref packedTangents);
             GrowingArray.Free(ref displacements);
-            FreePalette();
+            GrowingArray.Free(ref palette);
             rig.Release();
-        }
-
-        private void FreePalette()
-        {
-            if (!m_IsPaletteLent)
-                GrowingArray.Free(ref palette);
         }
     }
 }

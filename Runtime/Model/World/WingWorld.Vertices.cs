@@ -30,15 +30,18 @@ namespace Alate
         /// </summary>
         internal NativeArray<DualQuaternion> Palette(WingHandle wing) => Entry(wing).palette;
 
+        /// <summary>Memory in which joints are placed by <see cref="PlaceJoints"/>; asked for before each use.</summary>
+        internal IJointMemory JointMemory { get; set; }
+
         /// <summary>
-        /// Lets <see cref="Skin"/> write the joints' transforms of a wing that was added without vertices into memory of the caller's, one
-        /// a joint, which stays until the wing is removed or gets other memory.
+        /// Lets <see cref="Skin"/> write the joints' transforms of a wing that was added without vertices into <see cref="JointMemory"/>,
+        /// from the given joint on.
         /// </summary>
-        internal void LendPalette(WingHandle wing, NativeArray<DualQuaternion> memory)
+        internal void PlaceJoints(WingHandle wing, int firstJoint)
         {
             WingEntry entry = Entry(wing);
-            entry.Lend(memory);
-            m_Arrays.SetPalette(entry);
+            entry.Place(firstJoint);
+            m_Arrays.SetPlace(entry);
         }
 
         /// <summary>
@@ -49,13 +52,15 @@ namespace Alate
 
         /// <summary>Bounds of the vertices that the last <see cref="Skin"/> made, mesh space.</summary>
         /// <exception cref="ArgumentException">No such wing.</exception>
-        public Bounds Bounds(WingHandle wing) => m_Arrays.Bounds(Entry(wing));
+        public Bounds Bounds(WingHandle wing) => m_Arrays.Bounds(Entry(wing), JointTexels);
 
         /// <summary>
         /// Ways of the vertices from the last picture to the last <see cref="Skin"/>; not created for a wing that was added without. They
         /// are 0 until <see cref="TakePicture"/>, and after a reset or a time in which the wing was not deformed.
         /// </summary>
         internal NativeArray<VertexDisplacement> Displacements(WingHandle wing) => Entry(wing).displacements;
+
+        private NativeArray<float4> JointTexels => JointMemory == null ? default : JointMemory.Texels;
 
         /// <summary>Notes that a picture shows a wing's vertices: the next displacements lead from them.</summary>
         internal void TakePicture(WingHandle wing) => m_Arrays.SetDisplaces(Entry(wing), true);

@@ -234,7 +234,7 @@ namespace Alate
             if (Count == 0)
                 return m_Pending;
             Upload();
-            m_Pending = m_Arrays.ScheduleSkin(clocks, m_Pending);
+            m_Pending = m_Arrays.ScheduleSkin(clocks, JointTexels, m_Pending);
             return m_Pending;
         }
 
