@@ -37,6 +37,9 @@ internal static class MemoryFigures
         ["NativeArray<PackedVertex>"] = Vertices,
         ["NativeArray<SkinnedVertex>"] = Vertices,
         ["NativeArray<DualQuaternion>"] = Joints,
+
+        // Pixels of the texture that holds them.
+        ["NativeArray<Color>"] = Joints,
     };
 
     /// <summary>Ways to draw that are measured.</summary>
@@ -51,6 +54,8 @@ internal static class MemoryFigures
         var all = new List<InsectMemory>();
         foreach (LivingCrowd crowd in Crowds)
         {
+            // What a process did before is let go in the first round.
+            Count(crowd, k_Few);
             Dictionary<string, long> few = Count(crowd, k_Few), many = Count(crowd, Insects);
             var parts = Parts.SkipLast(1)
                 .Select(part => new InsectMemory(crowd, part, (many[part] - few[part]) / (double)(Insects - k_Few))).ToList();
