@@ -14,11 +14,12 @@ namespace Alate.Crowds
         /// <inheritdoc/>
         public void Prepare(LiveInsect live, WingWorld world, float3 wind, float3 gravity, float length, int count)
         {
+            float pitch = live.Pitch;
             for (int k = 0; k < live.wings.Length; k++)
             {
                 LiveWing wing = live.wings[k];
                 if (wing.placed.isValid)
-                    world.TrySetSurroundings(wing.handle, wing.Surroundings(live.flight, live.Pitch));
+                    world.TrySetSurroundings(wing.handle, wing.Surroundings(live.flight, pitch));
                 Drive(world, wing, live.insect.Wings[k].Side);
             }
         }

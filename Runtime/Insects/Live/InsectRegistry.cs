@@ -14,7 +14,7 @@ namespace Alate
         private const int k_VerticesPerFrame = 5 << 11, k_VerticesAtFirst = 1 << 17;
 
         /// <summary>
-        /// Most insects that a frame compares with what they were built of: all of a few, and of a crowd no more than could be built anew.
+        /// Most insects that a frame compares with what they were built of: all of a few; each of a thousand four times a second.
         /// </summary>
         private const int k_LooksPerFrame = 64;
 

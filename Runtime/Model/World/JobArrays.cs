@@ -198,7 +198,8 @@ namespace Alate
         /// <param name="joints">Memory in which joints are placed.</param>
         public Bounds Bounds(WingEntry entry, NativeArray<float4> joints)
         {
-            var palette = (DualQuaternion*)(entry.placed > 0 ? (float4*)Pointer(joints) + 2 * (entry.placed - 1) : Pointer(entry.palette));
+            DualQuaternion* palette = entry.placed > 0 ? (DualQuaternion*)Pointer(joints) + entry.placed - 1
+                : (DualQuaternion*)Pointer(entry.palette);
             ChunkBounds all = palette != null ? PaletteBounds.Of(entry.rig.View, entry.rig.Frame, palette)
                 : m_Stale ? entry.bounds : Merged(entry);
             return new Bounds(0.5f * (all.min + all.max), all.max - all.min);

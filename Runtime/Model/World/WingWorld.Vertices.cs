@@ -26,7 +26,8 @@ namespace Alate
         internal NativeArray<int> PackedTangents(WingHandle wing) => Entry(wing).packedTangents;
 
         /// <summary>
-        /// Transforms of the joints, mesh space, of a wing that was added without vertices; not created for others.
+        /// Transforms of the joints, mesh space, of a wing that was added without vertices; not created for others, and where they are
+        /// placed in <see cref="JointMemory"/>.
         /// </summary>
         internal NativeArray<DualQuaternion> Palette(WingHandle wing) => Entry(wing).palette;
 

@@ -1,6 +1,5 @@
 using System;
 using System.Collections;
-using System.Collections.Generic;
 using System.Linq;
 using System.Text.RegularExpressions;
 using Alate.Catalogue;
@@ -16,25 +15,8 @@ namespace Alate.Tests.Play.Headless;
 /// Wings that the graphics card deforms: what the shader would make of texture, mesh and properties, by the formula written down a second
 /// time, beside a twin that the processor deforms; and what is given back.
 /// </summary>
-public sealed class GpuSkinningTests : FlockFixture
+public sealed class GpuSkinningTests : GpuFixture
 {
-    private Material m_Material;
-
-    [SetUp]
-    public void MakeAMaterial()
-    {
-        ProjectShaders.Add(WingMaterial.ShaderName, "Alate/Wing");
-        m_Material = Keep(new Material(Shader.Find(WingMaterial.ShaderName)) { name = "membrane" });
-    }
-
-    [TearDown]
-    public void UseTheUsualDevice()
-    {
-        PlainDevice.IsInUse = false;
-        PlainDevice.LargestTexture = 16384;
-        ProjectShaders.Clear();
-    }
-
     [UnityTest]
     public IEnumerator TheShader_FindsEachVertex_WhereTheProcessorPutsIt()
     {
@@ -101,53 +83,10 @@ public sealed class GpuSkinningTests : FlockFixture
         Assert.That(insects.SelectMany(insect => insect.Wings).Select(wing => GpuSkinReader.Start(wing.Renderer)).Distinct().Count(),
             Is.EqualTo(80));
         Material copy = right[0].sharedMaterial;
-        Assert.That(copy, Is.Not.SameAs(m_Material));
+        Assert.That(copy, Is.Not.SameAs(Membrane));
         Assert.That(copy.enableInstancing && copy.IsKeywordEnabled("_SKINNED"));
-        Assert.That(m_Material.enableInstancing || m_Material.IsKeywordEnabled("_SKINNED"), Is.False, "the asset stays as it is");
+        Assert.That(Membrane.enableInstancing || Membrane.IsKeywordEnabled("_SKINNED"), Is.False, "the asset stays as it is");
         Assert.That(WingSystem.Loop.Skins.Materials.Count, Is.EqualTo(1));
-    }
-
-    [UnityTest]
-    public IEnumerator AFrame_StartsFourTimesAsMany_AsTheProcessorWould_AndTheTextureIsMadeOnce()
-    {
-        int counted = WingMesh.vertexCount / 4 * 2, each = (10240 + counted - 1) / counted;
-        Hatched(WingSkinning.Gpu);
-        yield return Frames(3);
-        int joints = WingSystem.Loop.Skins.Table.Joints;
-        for (int k = 0; k < each + 200; k++)
-            Hatched(WingSkinning.Gpu);
-        yield return null;
-        Assert.That(WingSystem.InsectCount, Is.EqualTo(1 + each));
-        int version = WingSystem.Loop.Skins.Table.Version;
-        while (WingSystem.InsectCount < each + 201)
-            yield return null;
-        Assert.That(WingSystem.Loop.Skins.Table.Version, Is.EqualTo(version), "room for all who wait was made at first");
-        Assert.That(WingSystem.Loop.Skins.Table.Joints, Is.EqualTo((each + 201) * joints));
-    }
-
-    // 64 KB of constants hold 511 instances of two matrices and what the shader adds.
-    [UnityTest]
-    public IEnumerator AThousandInsectsOfThreeKinds_AreTwelveDrawCallsOrFewer()
-    {
-        var renderers = new List<Renderer>();
-        foreach (string kind in new[] { "monarch", "swallowtail", "dragonfly" })
-        {
-            for (int k = 0; k < 3; k++)
-            {
-                InsectWings insect = InsectFactory.Create(InsectCatalogue.Find(kind), InsectVariant.Standard);
-                Keep(insect.gameObject);
-                insect.Quality.skinning = WingSkinning.Gpu;
-                insect.Quality.culling = WingCulling.AlwaysSimulate;
-                renderers.AddRange(insect.Wings.Select(wing => wing.Renderer));
-            }
-        }
-
-        yield return Frames(5);
-        Assert.That(renderers.Count, Is.EqualTo(3 * (2 + 4 + 4)));
-        Assert.That(renderers.All(renderer => renderer.sharedMaterial.enableInstancing), Is.True);
-        int draws = renderers.GroupBy(renderer => (renderer.GetComponent<MeshFilter>().sharedMesh, renderer.sharedMaterial))
-            .Sum(group => (group.Count() * 1000 / 9 + 510) / 511);
-        Assert.That(draws, Is.LessThanOrEqualTo(12));
     }
 
     [UnityTest]
@@ -164,7 +103,7 @@ public sealed class GpuSkinningTests : FlockFixture
 
         insect.enabled = false;
         Assert.That(Shown(insect, 0), Is.SameAs(WingMesh));
-        Assert.That(insect.Wings.Select(wing => wing.Renderer.sharedMaterial), Is.All.SameAs(m_Material));
+        Assert.That(insect.Wings.Select(wing => wing.Renderer.sharedMaterial), Is.All.SameAs(Membrane));
         Assert.That(insect.Wings[0].Renderer.HasPropertyBlock(), Is.False);
         tinted.GetPropertyBlock(block);
         Assert.That(block.GetFloat("_Own"), Is.EqualTo(3f));
@@ -222,8 +161,8 @@ public sealed class GpuSkinningTests : FlockFixture
         yield return Frames(3);
         Material copy = insect.Wings[0].Renderer.sharedMaterial;
 
-        m_Material.SetColor("_Color", Color.red);
-        m_Material.EnableKeyword("_OWN");
+        Membrane.SetColor("_Color", Color.red);
+        Membrane.EnableKeyword("_OWN");
         yield return null;
 
         Assert.That(insect.Wings[0].Renderer.sharedMaterial, Is.SameAs(copy));
@@ -238,7 +177,7 @@ public sealed class GpuSkinningTests : FlockFixture
         InsectWings insect = Hatched(WingSkinning.Gpu);
         yield return Frames(3);
         float beats = Beats(insect);
-        Material other = Keep(new Material(m_Material) { name = "other" });
+        Material other = Keep(new Material(Membrane) { name = "other" });
         insect.Wings[0].Renderer.sharedMaterial = other;
         yield return Frames(2);
 
@@ -272,7 +211,7 @@ public sealed class GpuSkinningTests : FlockFixture
         clone.Quality.skinning = WingSkinning.Cpu;
         yield return Frames(3);
 
-        Assert.That(clone.Wings[0].Renderer.sharedMaterial, Is.SameAs(m_Material));
+        Assert.That(clone.Wings[0].Renderer.sharedMaterial, Is.SameAs(Membrane));
         clone.Quality.skinning = WingSkinning.Gpu;
         yield return Frames(3);
         Assert.That(clone.Wings[0].Renderer.sharedMaterial, Is.SameAs(insect.Wings[0].Renderer.sharedMaterial));
@@ -296,7 +235,7 @@ public sealed class GpuSkinningTests : FlockFixture
                 else if (obstacle == "none")
                     wing.Renderer.sharedMaterials = [];
                 else if (obstacle == "lacks")
-                    wing.Renderer.sharedMaterials = [m_Material, null];
+                    wing.Renderer.sharedMaterials = [Membrane, null];
                 else if (obstacle == "collider")
                     wing.Renderer.gameObject.AddComponent<MeshCollider>();
             }
@@ -373,13 +312,5 @@ public sealed class GpuSkinningTests : FlockFixture
     {
         made.UpdateMode = WingUpdateMode.Manual;
         made.Quality.motionVectors = motion;
-    });
-
-    private InsectWings Hatched(WingSkinning skinning, Action<InsectWings> prepare = null) => Hatch(made =>
-    {
-        made.Quality.skinning = skinning;
-        foreach (Wing wing in made.Wings)
-            wing.Renderer.sharedMaterial = m_Material;
-        prepare?.Invoke(made);
     });
 }
