@@ -200,6 +200,18 @@ namespace Alate.Tests.Play
             Assert.That(insect.AngleOfAttack, Is.EqualTo(pitch).Within(0.01f));
         }
 
+        // Eq. 6 and 7: the wings are told the pitch of their body, nose up positive.
+        [UnityTest]
+        public IEnumerator NoseUp_WingsBeatFaster_ThanNoseDown()
+        {
+            InsectWings up = Hatch(made => made.transform.rotation = Quaternion.Euler(-60f, 0f, 0f)),
+                down = Hatch(made => made.transform.rotation = Quaternion.Euler(60f, 0f, 0f));
+            yield return Frames(60);
+
+            Assert.That(up.Read(0).Beats, Is.GreaterThan(1), "a beat that began with the pitch known");
+            Assert.That(up.Read(0).Frequency, Is.GreaterThan(1.02f * down.Read(0).Frequency));
+        }
+
         [UnityTest]
         public IEnumerator JointPositions_AreOnTheDeformedMesh([Values] bool mirrored)
         {

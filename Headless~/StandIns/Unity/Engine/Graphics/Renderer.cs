@@ -119,9 +119,9 @@ public class Renderer : Component, IStateful, IReferring
 
     public void SetSharedMaterials(List<Material> materials) => sharedMaterials = materials.ToArray();
 
-    public bool HasPropertyBlock() => _properties is { isEmpty: false } || _propertiesOf.Count > 0;
+    public bool HasPropertyBlock() => Alive()._properties is { isEmpty: false } || _propertiesOf.Count > 0;
     public void SetPropertyBlock(MaterialPropertyBlock properties) => Alive()._properties = properties?.Copy();
-    public void GetPropertyBlock(MaterialPropertyBlock properties) => properties.TakeFrom(_properties);
+    public void GetPropertyBlock(MaterialPropertyBlock properties) => properties.TakeFrom(Alive()._properties);
 
     public void SetPropertyBlock(MaterialPropertyBlock properties, int materialIndex)
     {
