@@ -2,7 +2,6 @@ using System;
 using System.Collections;
 using System.Linq;
 using System.Text.RegularExpressions;
-using Alate.Catalogue;
 using NUnit.Framework;
 using Unity.Mathematics;
 using Unity.StandIns;
