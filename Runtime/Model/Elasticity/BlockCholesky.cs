@@ -23,8 +23,6 @@ namespace Alate
                 definite &= SymmetricBlock.InvertDefinite(diagonal);
                 Scale(lower, column, diagonal, reach);
                 EliminateBelow(scratch.band + k * band, lower, column, reach, band);
-                for (int r = 1; r <= reach; r++)
-                    SubtractSymmetric(diagonal + r, lower + r, column + r);
             }
 
             return !definite;
@@ -59,15 +57,25 @@ namespace Alate
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         private static int Reach(int below, int band, int left) => math.min(left == 1 ? band - 1 : band, below);
 
-        // A column of L: the blocks below the diagonal times the inverse of D.
+        // A column of L: the blocks A below the diagonal times the inverse of D. And what it takes from the diagonal blocks below: L Aᵀ.
         private static void Scale(SoaFloat3x3* lower, SoaFloat3x3* column, SymmetricBlock* d, int reach)
         {
             for (int r = 1; r <= reach; r++)
             {
-                SoaFloat3x3* a = column + r;
-                lower[r].c0 = a->c0 * d->xx + a->c1 * d->xy + a->c2 * d->xz;
-                lower[r].c1 = a->c0 * d->xy + a->c1 * d->yy + a->c2 * d->yz;
-                lower[r].c2 = a->c0 * d->xz + a->c1 * d->yz + a->c2 * d->zz;
+                SoaFloat3 a0 = column[r].c0, a1 = column[r].c1, a2 = column[r].c2;
+                SoaFloat3 l0 = a0 * d->xx + a1 * d->xy + a2 * d->xz;
+                SoaFloat3 l1 = a0 * d->xy + a1 * d->yy + a2 * d->yz;
+                SoaFloat3 l2 = a0 * d->xz + a1 * d->yz + a2 * d->zz;
+                lower[r].c0 = l0;
+                lower[r].c1 = l1;
+                lower[r].c2 = l2;
+                SymmetricBlock* below = d + r;
+                below->xx -= l0.x * a0.x + l1.x * a1.x + l2.x * a2.x;
+                below->yy -= l0.y * a0.y + l1.y * a1.y + l2.y * a2.y;
+                below->zz -= l0.z * a0.z + l1.z * a1.z + l2.z * a2.z;
+                below->xy -= l0.x * a0.y + l1.x * a1.y + l2.x * a2.y;
+                below->xz -= l0.x * a0.z + l1.x * a1.z + l2.x * a2.z;
+                below->yz -= l0.y * a0.z + l1.y * a1.z + l2.y * a2.z;
             }
         }
 
@@ -86,17 +94,6 @@ namespace Alate
                     target->c2 -= a0 * b->c0.z + a1 * b->c1.z + a2 * b->c2.z;
                 }
             }
-        }
-
-        // target −= a bᵀ, which is symmetric.
-        private static void SubtractSymmetric(SymmetricBlock* target, SoaFloat3x3* a, SoaFloat3x3* b)
-        {
-            target->xx -= a->c0.x * b->c0.x + a->c1.x * b->c1.x + a->c2.x * b->c2.x;
-            target->yy -= a->c0.y * b->c0.y + a->c1.y * b->c1.y + a->c2.y * b->c2.y;
-            target->zz -= a->c0.z * b->c0.z + a->c1.z * b->c1.z + a->c2.z * b->c2.z;
-            target->xy -= a->c0.x * b->c0.y + a->c1.x * b->c1.y + a->c2.x * b->c2.y;
-            target->xz -= a->c0.x * b->c0.z + a->c1.x * b->c1.z + a->c2.x * b->c2.z;
-            target->yz -= a->c0.y * b->c0.z + a->c1.y * b->c1.z + a->c2.y * b->c2.z;
         }
 
         private static void Forward(in WingPack pack, in StepScratch scratch)

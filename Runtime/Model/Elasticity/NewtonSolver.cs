@@ -54,7 +54,8 @@ namespace Alate
         public static float4 Minimise(in WingPack pack, in StepScratch scratch, in Limits limits, bool4 active)
         {
             float4 iterations = default;
-            float4 value = SpringEnergy.Linearise(pack, scratch, scratch.positions, false);
+            float4 value = SpringEnergy.Value(pack, scratch, scratch.positions);
+            SpringEnergy.Linearise(pack, scratch, scratch.positions, false);
             for (int k = 0; k < limits.newton + limits.rescue && math.any(active); k++)
             {
                 bool4 negative = BlockCholesky.Factorise(pack, scratch) & active;
@@ -91,7 +92,7 @@ namespace Alate
             }
         }
 
-        // Halves the step of each wing that goes on until its energy falls; leaves the linearisation at the accepted positions.
+        // Halves the step of each wing that goes on until its energy falls; linearises at the accepted positions.
         private static float4 LineSearch(in WingPack pack, in StepScratch scratch, float4 value, bool4 active, bool4 goesOn)
         {
             float4 slope = Slope(pack, scratch);
@@ -105,7 +106,7 @@ namespace Alate
                     scratch.candidate[joint] = SoaFloat3.Select(
                         scratch.positions[joint], scratch.positions[joint] + scratch.step[joint] * length, moving);
                 }
-                found = SpringEnergy.Linearise(pack, scratch, scratch.candidate, false);
+                found = SpringEnergy.Value(pack, scratch, scratch.candidate);
                 bool4 tooHigh = !(found <= value + k_Decrease * length * slope + k_Rounding * math.abs(value)) & moving & goesOn;
                 if (!math.any(tooHigh))
                     break;
@@ -114,6 +115,7 @@ namespace Alate
 
             for (int joint = 0; joint < pack.rig.jointCount; joint++)
                 scratch.positions[joint] = scratch.candidate[joint];
+            SpringEnergy.Linearise(pack, scratch, scratch.positions, false);
             return found;
         }
 

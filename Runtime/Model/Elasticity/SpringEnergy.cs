@@ -10,7 +10,30 @@ namespace Alate
     /// </summary>
     internal static unsafe class SpringEnergy
     {
-        /// <summary>Value, gradient and Hessian at the given positions.</summary>
+        /// <summary>F of Eq. 15 at the given positions.</summary>
+        public static float4 Value(in WingPack pack, in StepScratch scratch, SoaFloat3* positions)
+        {
+            float4 value = default;
+            for (int joint = 0; joint < pack.rig.jointCount; joint++)
+                value += 0.5f * scratch.inertia[joint] * SoaFloat3.LengthSquared(positions[joint] - scratch.anchors[joint]);
+            float4 stiffness = pack.parameters->springStiffness;
+            float4 hold = pack.parameters->foldStiffness;
+            for (int s = 0; s < pack.rig.springCount; s++)
+                value += SpringValue(pack.rig.springs[s], scratch, positions, stiffness, hold);
+            return value;
+        }
+
+        // Eq. 12: E = ½ k (l − L)². And ½ hold |d − d̂|².
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        private static float4 SpringValue(Spring spring, in StepScratch scratch, SoaFloat3* positions, float4 stiffness, float4 hold)
+        {
+            SoaFloat3 difference = positions[spring.a] - positions[spring.b];
+            float4 stretch = math.sqrt(math.max(SoaFloat3.LengthSquared(difference), 1e-20f)) - spring.length;
+            SoaFloat3 turned = difference - scratch.targets[spring.a] + scratch.targets[spring.b];
+            return 0.5f * (stiffness * stretch * stretch + hold * SoaFloat3.LengthSquared(turned));
+        }
+
+        /// <summary>Gradient and Hessian at the given positions.</summary>
         /// <param name="pack">Rig, whose springs are ordered by their first joint, and spring stiffness.</param>
         /// <param name="scratch">
         /// Anchors and inertia are read; gradient, blocks and band are written: the Hessian's rows are those of the joints that are no
@@ -18,10 +41,9 @@ namespace Alate
         /// </param>
         /// <param name="positions">Per joint.</param>
         /// <param name="convex">Wings whose transversal curvature is kept from going negative.</param>
-        /// <returns>F of Eq. 15.</returns>
-        public static float4 Linearise(in WingPack pack, in StepScratch scratch, SoaFloat3* positions, bool4 convex)
+        public static void Linearise(in WingPack pack, in StepScratch scratch, SoaFloat3* positions, bool4 convex)
         {
-            float4 value = LineariseMasses(pack, scratch, positions);
+            LineariseMasses(pack, scratch, positions);
             UnsafeUtility.MemClear(scratch.band, (long)pack.rig.BandBlocks * sizeof(SoaFloat3x3));
             float4 stiffness = pack.parameters->springStiffness;
             float4 hold = pack.parameters->foldStiffness;
@@ -38,35 +60,28 @@ namespace Alate
                 SoaFloat3x3* between = first == null || second == null
                     ? null
                     : scratch.band + (spring.a - chain - 1) * joints + spring.b - across - spring.a - 1;
-                value += AddSpring(spring, scratch, positions, stiffness, hold, least, first, second, between);
+                AddSpring(spring, scratch, positions, stiffness, hold, least, first, second, between);
             }
-
-            return value;
         }
 
-        private static float4 LineariseMasses(in WingPack pack, in StepScratch scratch, SoaFloat3* positions)
+        private static void LineariseMasses(in WingPack pack, in StepScratch scratch, SoaFloat3* positions)
         {
-            float4 value = default;
             SymmetricBlock* block = scratch.blocks;
             for (int joint = 0, left = 0; joint < pack.rig.jointCount; joint++, left--)
             {
                 float4 inertia = scratch.inertia[joint];
-                SoaFloat3 offset = positions[joint] - scratch.anchors[joint];
-                scratch.gradient[joint] = offset * inertia;
-                value += 0.5f * inertia * SoaFloat3.LengthSquared(offset);
+                scratch.gradient[joint] = (positions[joint] - scratch.anchors[joint]) * inertia;
                 if (left == 0)
                     left = pack.rig.jointsPerChain;
                 else
                     *block++ = SymmetricBlock.Diagonal(inertia);
             }
-
-            return value;
         }
 
-        // Eq. 12: E = ½ k (l − L)²; Hessian k [d dᵀ + (1 − L/l)(I − d dᵀ)]. And ½ hold |d − d̂|²: its Hessian is hold·I. Negative between
-        // the joints; a root has neither row nor column.
+        // Of Eq. 12 k [d dᵀ + (1 − L/l)(I − d dᵀ)], of what holds against folding hold·I. Negative between the joints; a root has neither
+        // row nor column.
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        private static float4 AddSpring(
+        private static void AddSpring(
             Spring spring, in StepScratch scratch, SoaFloat3* positions, float4 stiffness, float4 hold, float4 least,
             SymmetricBlock* first, SymmetricBlock* second, SoaFloat3x3* between)
         {
@@ -91,7 +106,6 @@ namespace Alate
                 SymmetricBlock.Add(second, xx, yy, zz, xy, xz, yz);
             if (between != null)
                 SymmetricBlock.Negate(between, xx, yy, zz, xy, xz, yz);
-            return 0.5f * (stiffness * stretch * stretch + hold * SoaFloat3.LengthSquared(turned));
         }
 
         /// <summary>Gradient alone at the given positions.</summary>

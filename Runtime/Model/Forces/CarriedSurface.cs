@@ -25,10 +25,22 @@ namespace Alate
                 scratch.turns[bone] = scratch.drivenRotations[bone] * SoaQuaternion.Conjugate(pack.drivenRotations[bone]);
         }
 
+        /// <summary>Fills deformations: each joint's rotation in its driven frame at the start of the substep.</summary>
+        public static void Deformations(in WingPack pack, in StepScratch scratch)
+        {
+            for (int joint = 0; joint < pack.rig.jointCount; joint++)
+                scratch.deformations[joint] = Deformation(pack, joint, pack.rig.BoneOf(joint));
+        }
+
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        private static SoaQuaternion Deformation(in WingPack pack, int joint, int bone) =>
+            SoaQuaternion.Conjugate(pack.drivenRotations[bone]) * pack.pose[joint].rotation;
+
         private static void CarryJoint(in WingPack pack, in StepScratch scratch, int joint, int bone, float4 ahead)
         {
             JointMotion* motion = pack.motions + joint;
-            SoaQuaternion deformed = SoaQuaternion.Conjugate(pack.drivenRotations[bone]) * pack.pose[joint].rotation;
+            SoaQuaternion deformed = Deformation(pack, joint, bone);
+            scratch.deformations[joint] = deformed;
             deformed = SoaQuaternion.Normalize(deformed + motion->turning * ahead);
             SoaQuaternion driven = scratch.drivenRotations[bone];
             var frame = new SoaFloat3x3(driven * deformed);

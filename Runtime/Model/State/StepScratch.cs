@@ -32,6 +32,9 @@ namespace Alate
         /// <summary>[bone] Rotation of the driven frame since the last substep, G G₋₁⁻¹.</summary>
         public SoaQuaternion* turns;
 
+        /// <summary>[joint] Rotation in the driven frame at the start of the substep.</summary>
+        public SoaQuaternion* deformations;
+
         // Loads, per joint and per patch.
         public SoaFloat3x3* carriedFrames;
         public SoaFloat3* carriedPositions;
@@ -88,6 +91,9 @@ namespace Alate
 
         // Frames.
         public SoaQuaternion* boneRotations;
+
+        /// <summary>[bone] Unit vector along the bone.</summary>
+        public SoaFloat3* boneAxes;
         public SoaFloat3* rollFrom;
         public SoaFloat3* rollTo;
         public JointPose* pose;
@@ -117,6 +123,7 @@ namespace Alate
             scratch.drivenVelocities = (SoaFloat3*)carver.Carve<SoaFloat3>(joints);
             scratch.drivenAccelerations = (SoaFloat3*)carver.Carve<SoaFloat3>(joints);
             scratch.turns = (SoaQuaternion*)carver.Carve<SoaQuaternion>(bones);
+            scratch.deformations = (SoaQuaternion*)carver.Carve<SoaQuaternion>(joints);
             scratch.carriedFrames = (SoaFloat3x3*)carver.Carve<SoaFloat3x3>(joints);
             scratch.carriedPositions = (SoaFloat3*)carver.Carve<SoaFloat3>(joints);
             scratch.carriedTurning = (SoaFloat3*)carver.Carve<SoaFloat3>(joints);
@@ -154,6 +161,7 @@ namespace Alate
             scratch.band = (SoaFloat3x3*)carver.Carve<SoaFloat3x3>(size.bandBlocks);
             scratch.lower = (SoaFloat3x3*)carver.Carve<SoaFloat3x3>(size.bandBlocks);
             scratch.boneRotations = (SoaQuaternion*)carver.Carve<SoaQuaternion>(bones);
+            scratch.boneAxes = (SoaFloat3*)carver.Carve<SoaFloat3>(bones);
             scratch.rollFrom = (SoaFloat3*)carver.Carve<SoaFloat3>(bones);
             scratch.rollTo = (SoaFloat3*)carver.Carve<SoaFloat3>(bones);
             scratch.pose = (JointPose*)carver.Carve<JointPose>(joints);

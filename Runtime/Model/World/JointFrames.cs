@@ -30,7 +30,8 @@ namespace Alate
         }
 
         /// <summary>
-        /// Evaluates the mean rates of the deformation from the last pose to the new one, for the surface that the next substep carries on.
+        /// Evaluates the mean rates of the deformation from the last pose to the new one, for the surface that the next substep carries on;
+        /// after <see cref="CarriedSurface"/>, which keeps the deformations of the last pose.
         /// </summary>
         public static void Motions(in WingPack pack, in StepScratch scratch, float4 dt)
         {
@@ -41,10 +42,9 @@ namespace Alate
                 int bone = pack.rig.BoneOf(joint);
                 SoaFloat3 driven = scratch.drivenPositions[joint] - pack.drivenPositions[joint];
                 SoaFloat3 moved = scratch.pose[joint].position - pack.pose[joint].position;
-                SoaQuaternion from = SoaQuaternion.Conjugate(pack.drivenRotations[bone]) * pack.pose[joint].rotation;
                 SoaQuaternion to = SoaQuaternion.Conjugate(scratch.drivenRotations[bone]) * scratch.pose[joint].rotation;
                 pack.motions[joint].velocity = (moved - driven) * inverse;
-                pack.motions[joint].turning = SoaQuaternion.Difference(from, to) * inverse;
+                pack.motions[joint].turning = SoaQuaternion.Difference(scratch.deformations[joint], to) * inverse;
                 pack.drivenLags[joint] = euler ? scratch.drivenVelocities[joint] - driven * inverse : default;
             }
         }
@@ -59,6 +59,7 @@ namespace Alate
                 var along = SoaFloat3.NormalizeSafe(scratch.positions[joint + 1] - scratch.positions[joint]);
                 SoaFloat3 posed = SoaQuaternion.Rotate(bent, new SoaFloat3(pack.rig.boneDirections[bone]));
                 scratch.boneRotations[bone] = SoaQuaternion.Normalize(SoaQuaternion.Swing(posed, along) * bent);
+                scratch.boneAxes[bone] = along;
             }
         }
 
@@ -73,7 +74,7 @@ namespace Alate
                 int joint = bone + i;
                 int before = i > 0 ? joint - pack.rig.jointsPerChain : joint;
                 int after = i < pack.rig.chainCount - 1 ? joint + pack.rig.jointsPerChain : joint;
-                var along = SoaFloat3.NormalizeSafe(r[joint + 1] - r[joint]);
+                SoaFloat3 along = scratch.boneAxes[bone];
                 SoaFloat3 to = r[after] + r[after + 1] - r[before] - r[before + 1];
                 SoaFloat3 from = SoaQuaternion.Rotate(scratch.boneRotations[bone], new SoaFloat3(pack.rig.crossDirections[bone]));
                 scratch.rollFrom[bone] = from - along * SoaFloat3.Dot(along, from);

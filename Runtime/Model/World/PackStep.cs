@@ -143,6 +143,7 @@ namespace Alate
             DrivenPose.Evaluate(pack, scratch);
             float4 kept = SoaMath.Exp(-k_Fading * pack.beat->frequency * h);
             CarriedSurface.Turn(pack, scratch);
+            CarriedSurface.Deformations(pack, scratch);
             Bending.Relax(pack, scratch, kept);
             Bending.Pose(pack, scratch);
             ElasticStep.Relax(pack, scratch, kept);

@@ -111,7 +111,8 @@ namespace Alate.Tests
                     scratch.positions[joint] = scratch.anchors[joint] = scratch.targets[joint] = default;
                     scratch.inertia[joint] = 1f;
                 }
-                float4 energy = SpringEnergy.Linearise(fixture.Pack, scratch, scratch.positions, true);
+                float4 energy = SpringEnergy.Value(fixture.Pack, scratch, scratch.positions);
+                SpringEnergy.Linearise(fixture.Pack, scratch, scratch.positions, true);
                 Assert.That(energy.x, Is.Positive.And.LessThan(float.PositiveInfinity), "they are as short as they can");
                 JointFrames.Evaluate(fixture.Pack, scratch, scratch.pose);
                 for (int joint = 0; joint < fixture.rig.JointCount; joint++)
