@@ -58,7 +58,7 @@ internal sealed unsafe class SkinningComparison
     private void Grouped()
     {
         fixed (DualQuaternion* palette = m_Palette)
-            m_Bounds = SkinWingsJob.SkinQuads(m_Target, palette, 0, m_Target.rig.quadCount);
+            m_Bounds = SkinWingsJob.SkinQuads(m_Target, palette, 0, m_Target.rig.quadCount, true);
     }
 
     private void PlainDualQuaternions() => PlainSkinning.DualQuaternions(m_Plain.vertices, m_PlainPalette, m_Positions, m_Normals);

@@ -19,11 +19,11 @@ internal static class HotCode
         typeof(CellSheet), typeof(BilinearField), typeof(JointLoads), typeof(CarriedSurface), typeof(Bending), typeof(ChainCoupling),
         typeof(ElasticStep), typeof(ChordSolver), typeof(NewtonSolver),
         typeof(SpringEnergy), typeof(BlockCholesky), typeof(JointFrames), typeof(CellBlend), typeof(DualQuaternionSkinning),
-        typeof(SkinPalette),
+        typeof(EightVertices), typeof(SkinPalette),
     ];
 
     private static readonly string[] s_Elementary =
-        ["Unity.Mathematics.", "Alate.Soa", "Alate.SymmetricBlock", "System.Numerics.Vector", "System.Runtime.Intrinsics."];
+        ["Unity.Mathematics.", "Unity.Burst.Intrinsics.", "Alate.Soa", "Alate.TwoFloat", "Alate.SymmetricBlock", "System.Numerics.Vector", "System.Runtime.Intrinsics."];
 
     public static bool IsHot(string type) => s_Hot.Any(hot => hot.FullName == type);
 

@@ -1,4 +1,5 @@
 using System.Runtime.CompilerServices;
+using Unity.Burst.Intrinsics;
 using Unity.Mathematics;
 
 namespace Alate
@@ -11,12 +12,19 @@ namespace Alate
     {
         private const float k_LeastSquare = 1e-30f;
 
-        /// <summary>Skins the quads of one cell from <paramref name="first"/> up to <paramref name="end"/> and widens the bounds.</summary>
-        public static void Cell(CellBlend* blend, in SkinTarget target, int first, int end, SoaBounds* bounds)
+        /// <summary>Skins the quads of one cell and widens the bounds.</summary>
+        /// <param name="blend">The cell's.</param>
+        /// <param name="eight">Memory for eight vertices at a time and their bounds, or null for four at a time.</param>
+        /// <param name="target">Rig and vertices.</param>
+        /// <param name="first">First quad.</param>
+        /// <param name="end">Quad after the last.</param>
+        /// <param name="bounds">Of the vertices that were skinned four at a time.</param>
+        public static void Cell(CellBlend* blend, EightVertices* eight, in SkinTarget target, int first, int end, SoaBounds* bounds)
         {
             if (target.displacements != null)
                 Displacements.Cell(blend, target, first, end);
-            Vertices(blend, target.rig.skinQuads, first, end, target.vertices, target.packedVertices, bounds);
+            int next = X86.Avx2.IsAvx2Supported && eight != null ? EightVertices.Skin(eight, blend, target, first, end) : first;
+            Vertices(blend, target.rig.skinQuads, next, end, target.vertices, target.packedVertices, bounds);
             if (target.tangents != null || target.packedTangents != null)
                 Tangents(blend, target.rig.skinQuads, target.rig.skinTangents, first, end, target.tangents, target.packedTangents);
         }
@@ -104,9 +112,9 @@ namespace Alate
         private static SoaFloat3 BlendDual(CellBlend* b, float4 u, float4 v) =>
             b->c.dual + b->cu.dual * u + (b->cv.dual + b->cuv.dual * u) * v;
 
-        // Interleaves position and normal: two overlapping stores of four components make the six of a vertex.
+        /// <summary>Interleaves position and normal: two overlapping stores of four components make the six of a vertex.</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        private static void Write(SkinnedVertex* vertices, int4 target, in SoaFloat3 p, in SoaFloat3 n)
+        public static void Write(SkinnedVertex* vertices, int4 target, in SoaFloat3 p, in SoaFloat3 n)
         {
             float4x4 head = math.transpose(new float4x4(p.x, p.y, p.z, n.x));
             float4x4 tail = math.transpose(new float4x4(p.z, n.x, n.y, n.z));

@@ -27,6 +27,12 @@ namespace Alate
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public static int4 Pack(in SoaFloat3 v) => (Ones(v.x) & k_Byte) | (Ones(v.y) & k_Byte) << 8 | (Ones(v.z) & k_Byte) << 16;
 
+        /// <summary>Packs eight vectors whose fourth component is 0, as bits of floats.</summary>
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public static TwoFloat4 Pack(in TwoFloat3 v) =>
+            TwoFloat4.LowestByte(v.x * k_One + k_Ones, 0) | TwoFloat4.LowestByte(v.y * k_One + k_Ones, 8)
+            | TwoFloat4.LowestByte(v.z * k_One + k_Ones, 16);
+
         /// <summary>Vector of four packed components.</summary>
         public static float4 Unpack(int packed) =>
             math.max(new float4((sbyte)packed, (sbyte)(packed >> 8), (sbyte)(packed >> 16), (sbyte)(packed >> 24)) / k_One, -1f);

@@ -1,5 +1,6 @@
 using System.Diagnostics;
 using Unity.Burst;
+using Unity.Burst.Intrinsics;
 using Unity.Collections;
 using Unity.Collections.LowLevel.Unsafe;
 using Unity.Jobs;
@@ -72,12 +73,14 @@ namespace Alate
 
             DualQuaternion* palette = stackalloc DualQuaternion[target.rig.jointCount];
             SkinPalette.Evaluate(pack, target, clock.alpha, palette);
-            bounds[index] = SkinQuads(target, palette, chunk.firstQuad, chunk.endQuad);
+            bounds[index] = SkinQuads(target, palette, chunk.firstQuad, chunk.endQuad, X86.Avx2.IsAvx2Supported);
         }
 
-        /// <summary>Skins a range of quads, cell by cell.</summary>
-        public static ChunkBounds SkinQuads(in SkinTarget target, DualQuaternion* palette, int firstQuad, int endQuad)
+        /// <summary>Skins a range of quads, cell by cell, eight vertices at a time where the processor can or four.</summary>
+        public static ChunkBounds SkinQuads(in SkinTarget target, DualQuaternion* palette, int firstQuad, int endQuad, bool eightLanes)
         {
+            byte* memory = stackalloc byte[EightVertices.Room];
+            EightVertices* eight = X86.Avx2.IsAvx2Supported && eightLanes ? EightVertices.Place(memory) : null;
             SoaBounds bounds = SoaBounds.Empty;
             CellBlend blend = default;
             int joints = target.rig.jointsPerChain;
@@ -90,8 +93,11 @@ namespace Alate
                     continue;
                 int joint = cell + cell / (joints - 1);
                 blend.Set(palette[joint], palette[joint + 1], palette[joint + joints], palette[joint + joints + 1]);
-                DualQuaternionSkinning.Cell(&blend, target, first, end, &bounds);
+                DualQuaternionSkinning.Cell(&blend, eight, target, first, end, &bounds);
             }
+
+            if (X86.Avx2.IsAvx2Supported && eight != null)
+                EightVertices.Bound(eight, &bounds);
 
             return new ChunkBounds
             {

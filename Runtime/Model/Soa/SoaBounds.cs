@@ -17,10 +17,14 @@ namespace Alate
         };
 
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        public void Encapsulate(in SoaFloat3 p)
+        public void Encapsulate(in SoaFloat3 p) => Encapsulate(p, p);
+
+        /// <summary>Grows around other bounds, which may be empty.</summary>
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public void Encapsulate(in SoaFloat3 least, in SoaFloat3 most)
         {
-            min = new SoaFloat3(Lower(min.x, p.x), Lower(min.y, p.y), Lower(min.z, p.z));
-            max = new SoaFloat3(Higher(max.x, p.x), Higher(max.y, p.y), Higher(max.z, p.z));
+            min = new SoaFloat3(Lower(min.x, least.x), Lower(min.y, least.y), Lower(min.z, least.z));
+            max = new SoaFloat3(Higher(max.x, most.x), Higher(max.y, most.y), Higher(max.z, most.z));
         }
 
         // math.min and max look whether an argument is no number, which a bound never is.

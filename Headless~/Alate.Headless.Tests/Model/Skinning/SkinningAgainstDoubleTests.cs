@@ -33,7 +33,7 @@ namespace Alate.Tests
                 }
 
                 fixed (DualQuaternion* p = palette)
-                    SkinWingsJob.SkinQuads(target, p, 0, rig.View.quadCount);
+                    SkinWingsJob.SkinQuads(target, p, 0, rig.View.quadCount, true);
                 for (int v = 0; v < rig.VertexCount; v++)
                     worst = Math.Max(worst, Difference(rig, palette, vertices, v));
                 checkedVertices += rig.VertexCount;

@@ -70,7 +70,7 @@ namespace Alate.Tests
                 target.vertices = vertices;
             target.rig.skinQuads = &quad;
             SoaBounds bounds = SoaBounds.Empty;
-            DualQuaternionSkinning.Cell(&blend, target, 0, 1, &bounds);
+            DualQuaternionSkinning.Cell(&blend, null, target, 0, 1, &bounds);
 
             for (int vertex = 0; vertex < 4; vertex++)
             {
@@ -92,7 +92,7 @@ namespace Alate.Tests
             var target = new SkinTarget { vertices = vertices };
             target.rig.skinQuads = &quad;
             SoaBounds bounds = SoaBounds.Empty;
-            DualQuaternionSkinning.Cell(&blend, target, 0, 1, &bounds);
+            DualQuaternionSkinning.Cell(&blend, null, target, 0, 1, &bounds);
             Rotation expected = Blended(v);
             for (int lane = 0; lane < 4; lane++)
             {
