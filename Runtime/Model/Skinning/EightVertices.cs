@@ -76,7 +76,7 @@ namespace Alate
             TwoFloat4 w = b->m_C.realW + b->m_U.realW * u + (b->m_V.realW + b->m_UV.realW * u) * v;
             b->m_Q = q;
             b->m_W = w;
-            b->m_Scale = 2f / (TwoFloat3.LengthSquared(q) + w * w);
+            b->m_Scale = TwoFloat4.All(2f) / (TwoFloat3.LengthSquared(q) + w * w);
             TwoFloat3 e = b->m_C.dual + b->m_U.dual * u + (b->m_V.dual + b->m_UV.dual * u) * v;
             TwoFloat4 ew = b->m_C.dualW + b->m_U.dualW * u + (b->m_V.dualW + b->m_UV.dualW * u) * v;
             b->m_E = e;

@@ -29,9 +29,8 @@ namespace Alate
 
         /// <summary>Packs eight vectors whose fourth component is 0, as bits of floats.</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        public static TwoFloat4 Pack(in TwoFloat3 v) =>
-            TwoFloat4.LowestByte(v.x * k_One + k_Ones, 0) | TwoFloat4.LowestByte(v.y * k_One + k_Ones, 8)
-            | TwoFloat4.LowestByte(v.z * k_One + k_Ones, 16);
+        public static TwoFloat4 Pack(in TwoFloat3 v) => TwoFloat4.LowestByte(Ones(v.x), 0) | TwoFloat4.LowestByte(Ones(v.y), 8)
+            | TwoFloat4.LowestByte(Ones(v.z), 16);
 
         /// <summary>Vector of four packed components.</summary>
         public static float4 Unpack(int packed) =>
@@ -39,5 +38,8 @@ namespace Alate
 
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         private static int4 Ones(float4 value) => math.asint(value * k_One + k_Ones);
+
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        private static TwoFloat4 Ones(TwoFloat4 value) => value * TwoFloat4.All(k_One) + TwoFloat4.All(k_Ones);
     }
 }

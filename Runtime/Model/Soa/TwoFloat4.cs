@@ -61,7 +61,7 @@ namespace Alate
 
         /// <summary>The same number in all lanes.</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        public static implicit operator TwoFloat4(float value) => new TwoFloat4(mm256_set1_ps(value));
+        public static TwoFloat4 All(float value) => new TwoFloat4(mm256_set1_ps(value));
 
         /// <summary>Sum.</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]

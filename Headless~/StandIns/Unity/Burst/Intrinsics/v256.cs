@@ -4,7 +4,7 @@ using System.Runtime.Intrinsics;
 
 namespace Unity.Burst.Intrinsics;
 
-/// <summary>Eight single-precision numbers, as a register of 256 bits holds them; the first of them and the register share their bytes.</summary>
+/// <summary>Eight single-precision numbers, as a register of 256 bits holds them; the first shares its bytes.</summary>
 [StructLayout(LayoutKind.Explicit, Size = 32)]
 public struct v256
 {
