@@ -23,7 +23,10 @@ internal static class HotCode
     ];
 
     private static readonly string[] s_Elementary =
-        ["Unity.Mathematics.", "Unity.Burst.Intrinsics.", "Alate.Soa", "Alate.TwoFloat", "Alate.SymmetricBlock", "System.Numerics.Vector", "System.Runtime.Intrinsics."];
+    [
+        "Unity.Mathematics.", "Unity.Burst.Intrinsics.", "Alate.Soa", "Alate.TwoFloat", "Alate.SymmetricBlock",
+        "System.Numerics.Vector", "System.Runtime.Intrinsics.",
+    ];
 
     public static bool IsHot(string type) => s_Hot.Any(hot => hot.FullName == type);
 

@@ -4,7 +4,7 @@ namespace Alate
 {
     /// <summary>Working memory of one substep: one block per worker, allocated once, sized for the largest rig.</summary>
     /// <remarks>
-    /// 212,672 bytes a worker for a monarch, and none a wing: what lives within a substep alone does not grow with the number of wings.
+    /// 215,232 bytes a worker for a monarch, and none a wing: what lives within a substep alone does not grow with the number of wings.
     /// Each array is on cache lines of its own, in the order in which the substep fills them.
     /// </remarks>
     internal unsafe struct StepScratch
