@@ -26,13 +26,12 @@ namespace Alate
         /// <summary>Bytes that <see cref="Place"/> needs.</summary>
         public static int Room => sizeof(EightVertices) + k_Line - 1;
 
-        /// <summary>Makes one, whose bounds are empty.</summary>
-        public static EightVertices* Place(byte* memory)
+        /// <summary>Makes one with the given bounds, which are empty.</summary>
+        public static EightVertices* Place(byte* memory, SoaBounds* empty)
         {
             var eight = (EightVertices*)(((ulong)memory + (k_Line - 1)) & ~(ulong)(k_Line - 1));
-            SoaBounds empty = SoaBounds.Empty;
-            eight->m_Min = TwoFloat3.Both(&empty.min);
-            eight->m_Max = TwoFloat3.Both(&empty.max);
+            eight->m_Min = TwoFloat3.Both(&empty->min);
+            eight->m_Max = TwoFloat3.Both(&empty->max);
             return eight;
         }
 

@@ -79,9 +79,9 @@ namespace Alate
         /// <summary>Skins a range of quads, cell by cell, eight vertices at a time where the processor can or four.</summary>
         public static ChunkBounds SkinQuads(in SkinTarget target, DualQuaternion* palette, int firstQuad, int endQuad, bool eightLanes)
         {
-            byte* memory = stackalloc byte[EightVertices.Room];
-            EightVertices* eight = X86.Avx2.IsAvx2Supported && eightLanes ? EightVertices.Place(memory) : null;
             SoaBounds bounds = SoaBounds.Empty;
+            byte* memory = stackalloc byte[EightVertices.Room];
+            EightVertices* eight = X86.Avx2.IsAvx2Supported && eightLanes ? EightVertices.Place(memory, &bounds) : null;
             CellBlend blend = default;
             int joints = target.rig.jointsPerChain;
             for (int cell = 0; cell < target.rig.cellCount; cell++)
