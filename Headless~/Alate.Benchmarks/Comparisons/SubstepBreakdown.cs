@@ -16,7 +16,7 @@ internal sealed unsafe class SubstepBreakdown : IDisposable
     private static readonly string[] s_Parts =
     [
         "waves", "driven pose", "carried surface", "loads", "hinges", "chain coupling", "turned chains", "elastic step", "joint frames",
-        "joint motions", "keeping",
+        "readings", "joint motions", "keeping",
     ];
 
     private readonly FlyingPack m_Pack;
@@ -96,6 +96,8 @@ internal sealed unsafe class SubstepBreakdown : IDisposable
         ElasticStep.Step(pack, scratch, step);
         Done();
         JointFrames.Evaluate(pack, scratch, scratch.pose);
+        Done();
+        AirReadings.Evaluate(pack, scratch, step);
         Done();
         JointFrames.Motions(pack, scratch, h);
         Done();

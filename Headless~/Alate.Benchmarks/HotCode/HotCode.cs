@@ -19,7 +19,7 @@ internal static class HotCode
         typeof(CellSheet), typeof(BilinearField), typeof(JointLoads), typeof(CarriedSurface), typeof(Bending), typeof(ChainCoupling),
         typeof(ElasticStep), typeof(ChordSolver), typeof(NewtonSolver),
         typeof(SpringEnergy), typeof(BlockCholesky), typeof(JointFrames), typeof(CellBlend), typeof(DualQuaternionSkinning),
-        typeof(EightVertices), typeof(SkinPalette),
+        typeof(EightVertices), typeof(SkinPalette), typeof(AirReadings),
     ];
 
     private static readonly string[] s_Elementary =

@@ -41,29 +41,54 @@ namespace Alate
             return energy;
         }
 
-        // Adds what the end of the substep differs by; returns the kinetic energy there.
+        // Adds what the end of the substep differs by; returns the kinetic energy there. In three passes with few sums each, which stay in
+        // registers.
         private static float4 Settle(in WingPack pack, in StepScratch scratch, float4 dt)
         {
+            Changes(pack, scratch, dt);
+            SettleForce(pack, scratch);
+            return SettlePower(pack, scratch);
+        }
+
+        private static void Changes(in WingPack pack, in StepScratch scratch, float4 dt)
+        {
             var rates = new EndRates(pack, dt);
-            SoaFloat3 force = default, moment = default;
-            float4 power = 0f, energy = 0f;
             for (int joint = 0; joint < pack.rig.jointCount; joint++)
             {
-                SoaFloat3 load = scratch.airForces[joint], position = scratch.pose[joint].position;
                 SoaFloat3 normal = scratch.carriedFrames[joint].c1;
                 SoaFloat3 faster = rates.Of(pack, scratch, joint) - pack.motions[joint].velocity;
-                SoaFloat3 given = normal * (-scratch.airDamping[joint] * SoaFloat3.Dot(normal, faster));
-                SoaFloat3 velocity = scratch.drivenVelocities[joint] + pack.motions[joint].velocity + faster;
+                scratch.rateChanges[joint] = faster;
+                scratch.forceChanges[joint] = normal * (-scratch.airDamping[joint] * SoaFloat3.Dot(normal, faster));
+                if (pack.recordedLoads != null)
+                    pack.RecordedJointForces[joint] += scratch.forceChanges[joint];
+            }
+        }
+
+        private static void SettleForce(in WingPack pack, in StepScratch scratch)
+        {
+            SoaFloat3 force = default, moment = default;
+            for (int joint = 0; joint < pack.rig.jointCount; joint++)
+            {
+                SoaFloat3 load = scratch.airForces[joint], given = scratch.forceChanges[joint], position = scratch.pose[joint].position;
                 force += given;
                 moment += SoaFloat3.Cross(position, load + given) - SoaFloat3.Cross(scratch.carriedPositions[joint], load);
-                power -= SoaFloat3.Dot(given, velocity) + SoaFloat3.Dot(load, faster);
-                energy += 0.5f * pack.rig.jointMasses[joint] * SoaFloat3.LengthSquared(velocity);
-                if (pack.recordedLoads != null)
-                    pack.RecordedJointForces[joint] += given;
             }
 
             pack.air->force += force;
             pack.air->moment += moment + SoaFloat3.Cross(pack.surroundings->hinge, force);
+        }
+
+        private static float4 SettlePower(in WingPack pack, in StepScratch scratch)
+        {
+            float4 power = 0f, energy = 0f;
+            for (int joint = 0; joint < pack.rig.jointCount; joint++)
+            {
+                SoaFloat3 faster = scratch.rateChanges[joint];
+                SoaFloat3 velocity = scratch.drivenVelocities[joint] + pack.motions[joint].velocity + faster;
+                power -= SoaFloat3.Dot(scratch.forceChanges[joint], velocity) + SoaFloat3.Dot(scratch.airForces[joint], faster);
+                energy += 0.5f * pack.rig.jointMasses[joint] * SoaFloat3.LengthSquared(velocity);
+            }
+
             pack.air->power += power;
             return energy;
         }

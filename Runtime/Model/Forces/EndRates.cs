@@ -1,3 +1,4 @@
+using System.Runtime.CompilerServices;
 using Unity.Mathematics;
 
 namespace Alate
@@ -18,6 +19,7 @@ namespace Alate
         }
 
         /// <summary>Velocity of a joint's deformation, L/s; before the pack's motions and poses are those of the new pose.</summary>
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public SoaFloat3 Of(in WingPack pack, in StepScratch scratch, int joint)
         {
             SoaFloat3 moved = scratch.pose[joint].position - pack.pose[joint].position;

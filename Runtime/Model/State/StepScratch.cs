@@ -4,7 +4,7 @@ namespace Alate
 {
     /// <summary>Working memory of one substep: one block per worker, allocated once, sized for the largest rig.</summary>
     /// <remarks>
-    /// 215,232 bytes a worker for a monarch, and none a wing: what lives within a substep alone does not grow with the number of wings.
+    /// 217,664 bytes a worker for a monarch, and none a wing: what lives within a substep alone does not grow with the number of wings.
     /// Each array is on cache lines of its own, in the order in which the substep fills them.
     /// </remarks>
     internal unsafe struct StepScratch
@@ -98,6 +98,12 @@ namespace Alate
         public SoaFloat3* rollTo;
         public JointPose* pose;
 
+        /// <summary>[joint] Velocity of the deformation at the end of the substep less that which the loads were made with, L/s.</summary>
+        public SoaFloat3* rateChanges;
+
+        /// <summary>[joint] Force of the air at the end of the substep less the load.</summary>
+        public SoaFloat3* forceChanges;
+
         /// <summary>State and patch loads of wings that wait while others of their pack take more substeps.</summary>
         public float4* waiting;
         public float4* waitingLoads;
@@ -165,6 +171,8 @@ namespace Alate
             scratch.rollFrom = (SoaFloat3*)carver.Carve<SoaFloat3>(bones);
             scratch.rollTo = (SoaFloat3*)carver.Carve<SoaFloat3>(bones);
             scratch.pose = (JointPose*)carver.Carve<JointPose>(joints);
+            scratch.rateChanges = (SoaFloat3*)carver.Carve<SoaFloat3>(joints);
+            scratch.forceChanges = (SoaFloat3*)carver.Carve<SoaFloat3>(joints);
             // A chain has at least two joints.
             scratch.waiting = (float4*)carver.Carve<float4>(PackMemory.StateCount(joints, bones, joints));
             scratch.waitingLoads = (float4*)carver.Carve<float4>(
