@@ -56,5 +56,24 @@ namespace Alate.Tests
                 }
             }
         }
+
+        // Scratch is the worker's: it holds what another pack left there.
+        [TestCase(WingDetail.Full)]
+        [TestCase(WingDetail.WavesOnly)]
+        public void MotionsOfFrames_TakeNothingFromAnotherPack(WingDetail detail)
+        {
+            using (var fixture = new PackFixture(TestWings.Rig(8), WingParameters.Default))
+            {
+                WingPack pack = fixture.Pack;
+                pack.detail = detail;
+                for (int joint = 0; joint < pack.rig.jointCount; joint++)
+                    fixture.scratch.deformations[joint] = new SoaQuaternion(new SoaFloat3(new float3(float.NaN)), float.NaN);
+                pack.substeps = 1f;
+                pack.substepLength = 1e-3f;
+                PackStep.Substep(ref pack, fixture.scratch, 1);
+                for (int joint = 0; joint < pack.rig.jointCount; joint++)
+                    Assert.That(math.all(math.isfinite(pack.motions[joint].turning.w)), $"joint {joint}");
+            }
+        }
     }
 }
