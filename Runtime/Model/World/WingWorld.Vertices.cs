@@ -53,7 +53,11 @@ namespace Alate
 
         /// <summary>Bounds of the vertices that the last <see cref="Skin"/> made, mesh space.</summary>
         /// <exception cref="ArgumentException">No such wing.</exception>
-        public Bounds Bounds(WingHandle wing) => m_Arrays.Bounds(Entry(wing), JointTexels);
+        public Bounds Bounds(WingHandle wing)
+        {
+            WingEntry entry = Entry(wing);
+            return m_Arrays.Bounds(entry, entry.placed > 0 ? JointTexels : default);
+        }
 
         /// <summary>
         /// Ways of the vertices from the last picture to the last <see cref="Skin"/>; not created for a wing that was added without. They
