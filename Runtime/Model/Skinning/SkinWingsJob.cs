@@ -73,10 +73,10 @@ namespace Alate
 
             DualQuaternion* palette = stackalloc DualQuaternion[target.rig.jointCount];
             SkinPalette.Evaluate(pack, target, clock.alpha, palette);
-            bounds[index] = SkinQuads(target, palette, chunk.firstQuad, chunk.endQuad, X86.Avx2.IsAvx2Supported);
+            bounds[index] = SkinQuads(target, palette, chunk.firstQuad, chunk.endQuad, true);
         }
 
-        /// <summary>Skins a range of quads, cell by cell, eight vertices at a time where the processor can or four.</summary>
+        /// <summary>Skins a range of quads, cell by cell; with eight lanes where they are wanted and the processor has them.</summary>
         public static ChunkBounds SkinQuads(in SkinTarget target, DualQuaternion* palette, int firstQuad, int endQuad, bool eightLanes)
         {
             SoaBounds bounds = SoaBounds.Empty;

@@ -52,6 +52,23 @@ namespace Alate.Tests
             Assert.That(math.all(math.isfinite(skin.Bounds.min)) && math.all(math.isfinite(skin.Bounds.max)));
         }
 
+        [Test]
+        public void Registers_LieOnLines_WithinTheirRoom_WhereverTheStackIs()
+        {
+            SoaBounds empty = SoaBounds.Empty;
+            byte[] memory = GC.AllocateArray<byte>(EightVertices.Room + 64, pinned: true);
+            fixed (byte* start = memory)
+            {
+                for (int offset = 0; offset < 64; offset++)
+                {
+                    byte* given = start + offset;
+                    byte* placed = (byte*)EightVertices.Place(given, &empty);
+                    Assert.That((ulong)placed % 64, Is.Zero, $"offset {offset}");
+                    Assert.That(placed >= given && placed + sizeof(EightVertices) <= given + EightVertices.Room, $"offset {offset}");
+                }
+            }
+        }
+
         private sealed class BothWays : IDisposable
         {
             private readonly WingRig m_Rig;
@@ -73,7 +90,7 @@ namespace Alate.Tests
 
             public ChunkBounds Bounds => m_Bounds[1];
 
-            /// <summary>Places the joints anew, each turned by up to 50° from a common turn, with either sign.</summary>
+            /// <summary>Places the joints, each turned by up to 50° from a common turn, with either sign.</summary>
             public void Turn(ref Random random)
             {
                 quaternion common = random.NextQuaternionRotation();

@@ -3,6 +3,7 @@ using System;
 using NUnit.Framework;
 using Unity.Collections;
 using Unity.Collections.LowLevel.Unsafe;
+using Unity.Mathematics;
 
 namespace Alate.Tests
 {
@@ -137,6 +138,21 @@ namespace Alate.Tests
             target.vertices = null;
             m_Targets[0] = target;
             Expect(() => Skin(default).Validate(2), "SkinWingsJob.targets.vertices has room for 0; the job needs 33.");
+        }
+
+        [Test]
+        public void Skinning_WhoseJointsHaveNoRoom_IsRefused()
+        {
+            SkinTarget target = m_Targets[0];
+            target.placed = 6;
+            target.rig.jointCount = 25;
+            target.vertices = null;
+            m_Targets[0] = target;
+            SkinWingsJob job = Skin(default);
+            job.joints = new NativeArray<float4>(59, Allocator.Temp);
+            Expect(() => job.Validate(2), "SkinWingsJob.joints has room for 59; the job needs 60.");
+            job.joints = new NativeArray<float4>(60, Allocator.Temp);
+            Assert.That(() => job.Validate(2), Throws.Nothing);
         }
 
         private static ClockTimes Due(float length) => ClockTimes.All(new ClockTime { length = length, count = 1, inUse = true });
