@@ -74,6 +74,7 @@ namespace Alate
         }
 
         // Slope and curvature of the parabola through values at 0, ½ and 1.
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
         private static void Row(in SoaFloat3 at0, in SoaFloat3 atHalf, in SoaFloat3 at1, SoaFloat3* slope, SoaFloat3* curvature)
         {
             SoaFloat3 bend = (at0 + at1) * 2f - atHalf * 4f;

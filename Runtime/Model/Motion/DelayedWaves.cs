@@ -41,23 +41,30 @@ namespace Alate
                     float4 p = chainPhase - parameters.spanDelay * pack.rig.jointRatio[j];
                     SoaFloat3 now = beat.amplitude;
                     SoaFloat3 before = beat.amplitude1;
-                    bool4 earlier = (p < 0f) & (beat.cycles >= 1f);
-                    p = math.select(p, p + k_TwoPi, earlier);
-                    now = SoaFloat3.Select(now, beat.amplitude1, earlier);
-                    before = SoaFloat3.Select(before, beat.amplitude2, earlier);
-                    earlier = (p < 0f) & (beat.cycles >= 2f);
-                    p = math.select(p, p + k_TwoPi, earlier);
-                    now = SoaFloat3.Select(now, beat.amplitude2, earlier);
-                    before = SoaFloat3.Select(before, beat.amplitude3, earlier);
-                    earlier = (p < 0f) & (beat.cycles >= 3f);
-                    p = math.select(p, p + k_TwoPi, earlier);
-                    now = SoaFloat3.Select(now, beat.amplitude3, earlier);
-                    before = SoaFloat3.Select(before, beat.amplitude4, earlier);
+                    if (GoBack(ref p, ref now, ref before, beat.cycles, 1f, beat.amplitude1, beat.amplitude2)
+                        && GoBack(ref p, ref now, ref before, beat.cycles, 2f, beat.amplitude2, beat.amplitude3))
+                    {
+                        GoBack(ref p, ref now, ref before, beat.cycles, 3f, beat.amplitude3, beat.amplitude4);
+                    }
 
                     scratch.localPhase[bone] = p;
                     Envelope(pack.options.cycleChange, scratch, bone, p, now, before);
                 }
             }
+        }
+
+        // Takes the wings whose phase is negative into the cycle before, where they have had one; false where none has.
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        private static bool GoBack(
+            ref float4 p, ref SoaFloat3 now, ref SoaFloat3 before, float4 cycles, float least, in SoaFloat3 amplitude, in SoaFloat3 earlier)
+        {
+            bool4 back = (p < 0f) & (cycles >= least);
+            if (!math.any(back))
+                return false;
+            p = math.select(p, p + k_TwoPi, back);
+            now = SoaFloat3.Select(now, amplitude, back);
+            before = SoaFloat3.Select(before, earlier, back);
+            return true;
         }
 
         // Amplitude of its own cycle: glides from the last cycle's over the first half, or steps.

@@ -31,12 +31,16 @@ namespace Alate
             }
         }
 
+        // Chains that sweep together have the sweep of the leading one, whose sine and cosine are made once.
         private static void Sweep(in WingPack pack, in StepScratch scratch)
         {
-            for (int bone = 0; bone < pack.rig.boneCount; bone++)
+            int bonesPerChain = pack.rig.jointsPerChain - 1;
+            int own = pack.options.coupling == MembraneCoupling.TwoWay ? bonesPerChain : pack.rig.boneCount;
+            for (int bone = 0; bone < own; bone++)
             {
                 SoaMath.SinCos(scratch.angle[bone].y * 0.5f, out float4 sin, out float4 cos);
-                scratch.drivenRotations[bone] = TurnBackY(scratch.drivenRotations[bone], sin, cos);
+                for (int same = bone; same < pack.rig.boneCount; same += own)
+                    scratch.drivenRotations[same] = TurnBackY(scratch.drivenRotations[same], sin, cos);
             }
         }
 
