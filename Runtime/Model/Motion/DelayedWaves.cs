@@ -21,10 +21,16 @@ namespace Alate
             LocalPhases(pack, scratch);
             Waves(pack, scratch);
             Accumulate(pack, scratch);
-            if (pack.options.coupling == MembraneCoupling.TwoWay)
-                SweepTogether(pack, scratch);
+            SweepTogether(pack, scratch);
             PrescribedMotion.Evaluate(pack, scratch);
         }
+
+        /// <summary>
+        /// Number of bones with a sweep of their own, the first ones: those of the leading chain where all others sweep as it does.
+        /// </summary>
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public static int SweepCount(in WingPack pack) =>
+            pack.options.coupling == MembraneCoupling.TwoWay ? pack.rig.jointsPerChain - 1 : pack.rig.boneCount;
 
         // Eq. 2 as a phase δ_ij = δ_i + μπσ_j, the chain's delay by ChainDelays, and the Heaviside of Eq. 3: the local phase goes back into
         // earlier cycles, and stands at the start of the first one until the wave arrives.
@@ -146,10 +152,10 @@ namespace Alate
         // A membrane cannot be sheared in its own plane: all chains sweep as the leading one does.
         private static void SweepTogether(in WingPack pack, in StepScratch scratch)
         {
-            int bonesPerChain = pack.rig.jointsPerChain - 1;
-            for (int bone = bonesPerChain; bone < pack.rig.boneCount; bone++)
+            int own = SweepCount(pack);
+            for (int bone = own; bone < pack.rig.boneCount; bone++)
             {
-                int leading = bone % bonesPerChain;
+                int leading = bone % own;
                 scratch.angle[bone].y = scratch.angle[leading].y;
                 scratch.angleRate[bone].y = scratch.angleRate[leading].y;
                 scratch.angleCurvature[bone].y = scratch.angleCurvature[leading].y;

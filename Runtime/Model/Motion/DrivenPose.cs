@@ -34,8 +34,7 @@ namespace Alate
         // Chains that sweep together have the sweep of the leading one, whose sine and cosine are made once.
         private static void Sweep(in WingPack pack, in StepScratch scratch)
         {
-            int bonesPerChain = pack.rig.jointsPerChain - 1;
-            int own = pack.options.coupling == MembraneCoupling.TwoWay ? bonesPerChain : pack.rig.boneCount;
+            int own = DelayedWaves.SweepCount(pack);
             for (int bone = 0; bone < own; bone++)
             {
                 SoaMath.SinCos(scratch.angle[bone].y * 0.5f, out float4 sin, out float4 cos);

@@ -23,6 +23,39 @@ namespace Alate.Tests
             }
         }
 
+        // Chains sweep together where the membrane holds them, and each by its own angle where it does not.
+        [Test]
+        public void EveryBone_TurnsByItsOwnAngles_AndByTheSweepOfItsChain([Values] MembraneCoupling coupling)
+        {
+            var random = new Random(7);
+            using (var fixture = new PackFixture(Monarch.Rig(), WingParameters.Default))
+            {
+                fixture.Pack.options.coupling = coupling;
+                fixture.Pack.rig.leadingEdge = new float3(1f, 0f, 0f);
+                int bones = fixture.rig.BoneCount, perChain = fixture.Pack.rig.jointsPerChain - 1;
+                var degrees = new float3[bones];
+                for (int bone = 0; bone < bones; bone++)
+                {
+                    degrees[bone] = random.NextFloat3(-60f, 60f);
+                    if (coupling == MembraneCoupling.TwoWay)
+                        degrees[bone].y = degrees[bone % perChain].y;
+                    float3 angle = math.radians(degrees[bone]);
+                    fixture.scratch.angle[bone] = Lanes.All(angle.x, angle.y, angle.z);
+                }
+
+                DrivenPose.Evaluate(fixture.Pack, fixture.scratch);
+                for (int bone = 0; bone < bones; bone++)
+                {
+                    float3 angle = degrees[bone];
+                    Rotation expected = Rotation.About(0, 0, 1, angle.x) * Rotation.About(0, -1, 0, angle.y)
+                        * Rotation.About(1, 0, 0, angle.z);
+                    float4 q = fixture.scratch.drivenRotations[bone][2].value;
+                    var wanted = new float4((float)expected.x, (float)expected.y, (float)expected.z, (float)expected.w);
+                    Assert.That(math.distance(q, wanted), Is.LessThan(1e-5f), $"bone {bone}");
+                }
+            }
+        }
+
         [Test]
         public void Velocities_AreTheRatesOfThePositions()
         {
