@@ -39,8 +39,8 @@ namespace Alate.Flight
 
         private WingDrive Hover => m_Table.DriveNear(0f, 0f);
 
-        /// <summary>Turns the body as it hovers at this phase of the beat.</summary>
-        public void PlaceOnBob() => m_World.PlaceOnBob(m_Body);
+        /// <summary>Turns the body as it hovers at the phase that the beat has in so many seconds.</summary>
+        public void PlaceOnBob(float later) => m_World.PlaceOnBob(m_Body, later);
 
         /// <summary>Lets the wings come to rest.</summary>
         public void Rest()

@@ -145,7 +145,7 @@ namespace Alate.Flight
             if (m_Stage == Stage.Pushing && IsUp(wings, dt))
             {
                 m_Stage = Stage.Free;
-                wings.PlaceOnBob();
+                wings.PlaceOnBob(0f);
                 return;
             }
 
@@ -164,7 +164,8 @@ namespace Alate.Flight
                 return;
             }
 
-            wings.PlaceOnBob();
+            // As at the end of the step, where the feet are by then: the first step of flight begins with what is shown.
+            wings.PlaceOnBob(dt);
             float pushed = math.min(m_Time, m_WayTime), beyond = m_Time - pushed;
             m_Feet = m_FromFeet
                 + (m_FromSpeed * pushed + 0.5f * (k_Jump - m_FromSpeed) * pushed * pushed / m_WayTime + k_Jump * beyond) * Units * m_Up;

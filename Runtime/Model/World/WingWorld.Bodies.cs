@@ -79,15 +79,16 @@ namespace Alate
             Complete();
         }
 
-        /// <summary>Puts a body where its table has it at the phase of its wings.</summary>
-        internal unsafe void PlaceOnBob(BodyHandle handle)
+        /// <summary>Puts a body where its table has it at the phase that its wings have in so many seconds.</summary>
+        internal unsafe void PlaceOnBob(BodyHandle handle, float later = 0f)
         {
             ref FlyingBody body = ref Body(handle);
             Upload();
             var wing = new WingReading(m_Arrays, m_Bodies.FirstWing(handle));
             float* point = stackalloc float[TrimPoint.Floats];
             body.table.Read(body.reference.airSpeed, body.reference.climb, point);
-            BodyMotion.PlaceOnBob(ref body, point, wing.Phase, 2f * math.PI * wing.Frequency, body.reference.velocity);
+            float rate = 2f * math.PI * wing.Frequency;
+            BodyMotion.PlaceOnBob(ref body, point, wing.Phase + rate * later, rate, body.reference.velocity);
             body.knowsMasses = 0;
             if (body.table.HasWake)
                 m_Bodies.MeetWake(handle, point);

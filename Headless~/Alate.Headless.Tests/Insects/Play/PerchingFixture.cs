@@ -60,13 +60,13 @@ namespace Alate.Tests.Play
             return perching;
         }
 
-        // The attitude in which a hovering insect is at this phase, looking where a rotation looks.
+        // The attitude in which a hovering insect is at the end of a step, looking where a rotation looks.
         private protected quaternion Bob(quaternion like)
         {
             ref FlyingBody body = ref World.Body(new BodyHandle(0, 1));
             FlyingBody kept = body;
             body.reference = new BodyReference { heading = Headings.Of(like) };
-            World.PlaceOnBob(new BodyHandle(0, 1));
+            World.PlaceOnBob(new BodyHandle(0, 1), StepLength);
             quaternion bob = body.rotation;
             body = kept;
             return bob;

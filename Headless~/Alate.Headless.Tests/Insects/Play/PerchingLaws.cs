@@ -163,7 +163,8 @@ namespace Alate.Tests.Play
             yield break;
         }
 
-        // Beaten wholly twice, and in the last three tenths of a beat.
+        // Beaten wholly twice, and in the last three tenths of a beat; in the attitude in which it was held last, its bob at the end of the
+        // step.
         [UnityTest]
         public IEnumerator WhoseWingsBeat_FliesOff_WithRaisedWings()
         {
@@ -172,8 +173,10 @@ namespace Alate.Tests.Play
             body.rotation = sitting.rotation;
             float whole = Table.DriveNear(0f, 0f).amplitude;
             int from = -1;
+            quaternion held = default;
             for (int step = 0; perching.Holds; step++)
             {
+                held = body.rotation;
                 perching.Start(ref body, Wings, float.NaN, StepLength);
                 if (from < 0 && World.Drive(Live.wings[0].handle).amplitude == whole)
                     from = Wings.Beats;
@@ -184,6 +187,7 @@ namespace Alate.Tests.Play
 
             Assert.That(Wings.Beats, Is.EqualTo(from + 2));
             Assert.That(Wings.Phase, Is.InRange(0.7f, 0.7f + 1.1f * StepLength * Wings.Frequency));
+            Assert.That(Angle(held, body.rotation), Is.LessThan(5e-3f));
             yield break;
         }
 
