@@ -12,8 +12,8 @@ namespace Alate.Flight
     internal sealed class WakeTrims
     {
         /// <summary>
-        /// Most rounds, share of the way to the air of the last wake, and change of the air that ends them. A swallowtail with a wake of
-        /// wide cores takes eight at 0.15 m/s.
+        /// Most rounds, share of the way to the air of the last wake, and difference between both, over the wake's, that ends them. A
+        /// swallowtail with a wake of wide cores takes eight at 0.15 m/s.
         /// </summary>
         private const int k_Rounds = 12;
         private const float k_Step = 0.9f, k_Settled = 0.03f;
@@ -60,17 +60,19 @@ namespace Alate.Flight
             return null;
         }
 
-        // In the air of its own wake; null where none closes, or the wake is another one in each beat.
+        // In the air of its own wake; null where none closes, or the wake is another one in each beat. A trim is returned as its wake was
+        // found: one that is moved once more may leave that air.
         private TrimState Solve(in FlightCondition condition, TrimState start)
         {
             TrimState trim = start;
             var found = new WingInflow[TrimPoint.Pairs];
             for (int round = 0; round < k_Rounds && trim != null && m_Wake.Find(m_Model, trim, condition, found); round++)
             {
-                float change = Towards(trim = trim.Copy(), found);
-                trim = Close(condition, trim);
-                if (change < k_Settled)
+                float change = Change(trim, found);
+                if (round > 0 && change < k_Settled)
                     return trim;
+                Towards(trim = trim.Copy(), found);
+                trim = Close(condition, trim);
             }
 
             return null;
@@ -106,19 +108,25 @@ namespace Alate.Flight
             return TrimSolver.Norm(residual) < TrimSolver.Closed ? closed : null;
         }
 
-        // Moves the air of a trim towards another; returns the change over the size of the other.
-        private static float Towards(TrimState trim, WingInflow[] found)
+        // How far the air of a trim is from another, over the size of that.
+        private static float Change(TrimState trim, WingInflow[] found)
         {
             float change = 0f, size = 0f;
-            bool isFirst = Array.TrueForAll(trim.inflow, air => !air.IsSet);
             for (int pair = 0; pair < found.Length; pair++)
             {
                 change += (found[pair] + trim.inflow[pair] * -1f).MeanSquare;
                 size += found[pair].MeanSquare;
-                trim.inflow[pair] = isFirst ? found[pair] : trim.inflow[pair] * (1f - k_Step) + found[pair] * k_Step;
             }
 
             return size > 0f ? math.sqrt(change / size) : 0f;
+        }
+
+        // Moves the air of a trim towards another.
+        private static void Towards(TrimState trim, WingInflow[] found)
+        {
+            bool isFirst = Array.TrueForAll(trim.inflow, air => !air.IsSet);
+            for (int pair = 0; pair < found.Length; pair++)
+                trim.inflow[pair] = isFirst ? found[pair] : trim.inflow[pair] * (1f - k_Step) + found[pair] * k_Step;
         }
 
         // Mean speed of the air over the pairs of wings, m/s.
