@@ -22,10 +22,10 @@ public static class SceneHashes
     /// </summary>
     private static readonly (string Name, ulong Held, Func<HashVariant, ulong> Run)[] s_Scenes =
     [
-        ("tethered", 0x89bef51091ebd05e, TetheredScene.Run),
-        ("free", 0x3161d27a9515d6c4, variant => FleetScene.Run(s_Flyers, false, k_FreeFrames, false, variant)),
-        ("wander", 0xef0efa45a89f361b, variant => FleetScene.Run(s_Flyers, true, k_WanderFrames, false, variant)),
-        ("crowd", 0x9ee566eb18a8fcd2, variant => FleetScene.Run(Crowd(), true, k_CrowdFrames, true, variant)),
+        ("tethered", 0x183b0f6e62fdddc4, TetheredScene.Run),
+        ("free", 0x5a41d285488d016c, variant => FleetScene.Run(s_Flyers, false, k_FreeFrames, false, variant)),
+        ("wander", 0x27a60c49ae3a0b0a, variant => FleetScene.Run(s_Flyers, true, k_WanderFrames, false, variant)),
+        ("crowd", 0x4e8be3b7211b329a, variant => FleetScene.Run(Crowd(), true, k_CrowdFrames, true, variant)),
     ];
 
     /// <summary>Names of the scenes.</summary>

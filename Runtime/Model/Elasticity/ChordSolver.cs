@@ -15,6 +15,12 @@ namespace Alate
         /// <summary>Square of the movement of a joint in a step, wing lengths, below which a wing is done: 1e-4.</summary>
         private const float k_Done = 1e-8f;
 
+        /// <summary>
+        /// Square of the movement that the next step would make if it shrank as the last one did, below which a wing is done: 1e-5. With
+        /// twice as much some wings end farther than 1e-4 from the minimum.
+        /// </summary>
+        private const float k_Next = 1e-10f;
+
         /// <summary>Square of the movement up to which a step is taken whatever the one before was: 1e-3.</summary>
         private const float k_Near = 1e-6f;
 
@@ -43,7 +49,7 @@ namespace Alate
                 failed |= active & !shrinks;
                 active &= shrinks;
                 Mix(pack, scratch, active);
-                active &= move >= k_Done;
+                active &= (move >= k_Done) & (move * move >= k_Next * before);
                 before = move;
             }
 

@@ -44,11 +44,11 @@ namespace Alate
         {
             for (int joint = 0; joint < pack.rig.jointCount; joint++)
             {
-                SoaQuaternion turned = scratch.turns[pack.rig.BoneOf(joint)];
-                pack.offsets[joint] = SoaQuaternion.Rotate(turned, pack.offsets[joint]);
-                pack.offsetRates[joint] = SoaQuaternion.Rotate(turned, pack.offsetRates[joint]);
-                pack.earlierOffsets[joint] = SoaQuaternion.Rotate(turned, pack.earlierOffsets[joint]);
-                pack.earlierOffsetRates[joint] = SoaQuaternion.Rotate(turned, pack.earlierOffsetRates[joint]);
+                var turned = new SoaFloat3x3(scratch.turns[pack.rig.BoneOf(joint)]);
+                pack.offsets[joint] = SoaFloat3x3.Mul(turned, pack.offsets[joint]);
+                pack.offsetRates[joint] = SoaFloat3x3.Mul(turned, pack.offsetRates[joint]);
+                pack.earlierOffsets[joint] = SoaFloat3x3.Mul(turned, pack.earlierOffsets[joint]);
+                pack.earlierOffsetRates[joint] = SoaFloat3x3.Mul(turned, pack.earlierOffsetRates[joint]);
             }
         }
 

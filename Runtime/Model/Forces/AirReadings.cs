@@ -15,81 +15,67 @@ namespace Alate
         /// </summary>
         public static void Evaluate(in WingPack pack, in StepScratch scratch, in ImplicitStep step)
         {
-            float4 energy = Seen(pack, scratch);
-            if (pack.options.timeScheme != TimeScheme.BackwardEuler)
-                energy = Settle(pack, scratch, step.dt);
-            Read(pack, step.dt, energy);
+            if (pack.options.timeScheme == TimeScheme.BackwardEuler)
+                Keep(pack, scratch);
+            else
+                CarryOn(pack, scratch, step.dt);
+            SumForces(pack, scratch, pack.options.timeScheme == TimeScheme.BackwardEuler ? scratch.carriedPositions : scratch.positions);
+            Read(pack, step.dt, SumPower(pack, scratch));
         }
 
-        // Of the loads as they were made; returns the kinetic energy.
-        private static float4 Seen(in WingPack pack, in StepScratch scratch)
+        // The loads as they were made, with the velocities that made them.
+        private static void Keep(in WingPack pack, in StepScratch scratch)
         {
-            SoaFloat3 force = default, moment = default;
-            float4 power = 0f, energy = 0f;
             for (int joint = 0; joint < pack.rig.jointCount; joint++)
             {
-                SoaFloat3 load = scratch.airForces[joint], velocity = scratch.drivenVelocities[joint] + pack.motions[joint].velocity;
-                force += load;
-                moment += SoaFloat3.Cross(scratch.carriedPositions[joint], load);
-                power -= SoaFloat3.Dot(load, velocity);
-                energy += 0.5f * pack.rig.jointMasses[joint] * SoaFloat3.LengthSquared(velocity);
+                scratch.endLoads[joint] = scratch.airForces[joint];
+                scratch.endVelocities[joint] = scratch.drivenVelocities[joint] + pack.motions[joint].velocity;
             }
-
-            pack.air->force = force;
-            pack.air->moment = moment + SoaFloat3.Cross(pack.surroundings->hinge, force);
-            pack.air->power = power;
-            return energy;
         }
 
-        // Adds what the end of the substep differs by; returns the kinetic energy there. In three passes with few sums each, which stay in
-        // registers.
-        private static float4 Settle(in WingPack pack, in StepScratch scratch, float4 dt)
-        {
-            Changes(pack, scratch, dt);
-            SettleForce(pack, scratch);
-            return SettlePower(pack, scratch);
-        }
-
-        private static void Changes(in WingPack pack, in StepScratch scratch, float4 dt)
+        // The loads and velocities of the end of the substep.
+        private static void CarryOn(in WingPack pack, in StepScratch scratch, float4 dt)
         {
             var rates = new EndRates(pack, dt);
             for (int joint = 0; joint < pack.rig.jointCount; joint++)
             {
-                SoaFloat3 normal = scratch.carriedFrames[joint].c1;
-                SoaFloat3 faster = rates.Of(pack, scratch, joint) - pack.motions[joint].velocity;
-                scratch.rateChanges[joint] = faster;
-                scratch.forceChanges[joint] = normal * (-scratch.airDamping[joint] * SoaFloat3.Dot(normal, faster));
+                SoaFloat3 normal = scratch.carriedFrames[joint].c1, rate = rates.Of(pack, scratch, joint);
+                SoaFloat3 faster = rate - pack.motions[joint].velocity;
+                SoaFloat3 change = normal * (-scratch.airDamping[joint] * SoaFloat3.Dot(normal, faster));
+                scratch.endLoads[joint] = scratch.airForces[joint] + change;
+                scratch.endVelocities[joint] = scratch.drivenVelocities[joint] + rate;
                 if (pack.recordedLoads != null)
-                    pack.RecordedJointForces[joint] += scratch.forceChanges[joint];
+                    pack.RecordedJointForces[joint] += change;
             }
         }
 
-        private static void SettleForce(in WingPack pack, in StepScratch scratch)
+        // In passes with few sums each, which stay in registers.
+        private static void SumForces(in WingPack pack, in StepScratch scratch, SoaFloat3* positions)
         {
             SoaFloat3 force = default, moment = default;
             for (int joint = 0; joint < pack.rig.jointCount; joint++)
             {
-                SoaFloat3 load = scratch.airForces[joint], given = scratch.forceChanges[joint], position = scratch.pose[joint].position;
-                force += given;
-                moment += SoaFloat3.Cross(position, load + given) - SoaFloat3.Cross(scratch.carriedPositions[joint], load);
+                SoaFloat3 load = scratch.endLoads[joint];
+                force += load;
+                moment += SoaFloat3.Cross(positions[joint], load);
             }
 
-            pack.air->force += force;
-            pack.air->moment += moment + SoaFloat3.Cross(pack.surroundings->hinge, force);
+            pack.air->force = force;
+            pack.air->moment = moment + SoaFloat3.Cross(pack.surroundings->hinge, force);
         }
 
-        private static float4 SettlePower(in WingPack pack, in StepScratch scratch)
+        // Returns the kinetic energy.
+        private static float4 SumPower(in WingPack pack, in StepScratch scratch)
         {
             float4 power = 0f, energy = 0f;
             for (int joint = 0; joint < pack.rig.jointCount; joint++)
             {
-                SoaFloat3 faster = scratch.rateChanges[joint];
-                SoaFloat3 velocity = scratch.drivenVelocities[joint] + pack.motions[joint].velocity + faster;
-                power -= SoaFloat3.Dot(scratch.forceChanges[joint], velocity) + SoaFloat3.Dot(scratch.airForces[joint], faster);
+                SoaFloat3 velocity = scratch.endVelocities[joint];
+                power -= SoaFloat3.Dot(scratch.endLoads[joint], velocity);
                 energy += 0.5f * pack.rig.jointMasses[joint] * SoaFloat3.LengthSquared(velocity);
             }
 
-            pack.air->power += power;
+            pack.air->power = power;
             return energy;
         }
 

@@ -19,13 +19,15 @@ namespace Alate
             Chains(pack, scratch);
         }
 
-        // R_X(−tilt) R_Z(flap); the means hold sine and cosine of half of −tilt.
+        // R_X(−tilt) R_Z(flap); the means hold sine and cosine of half of −tilt. Those of the whole flap, which its axes need, follow.
         private static void Flap(in WingPack pack, in StepScratch scratch)
         {
             float4 tiltSin = scratch.means->tiltHalfSin, tiltCos = scratch.means->tiltHalfCos;
             for (int bone = 0; bone < pack.rig.boneCount; bone++)
             {
                 SoaMath.SinCos(scratch.angle[bone].x * 0.5f, out float4 sin, out float4 cos);
+                scratch.flapSin[bone] = 2f * sin * cos;
+                scratch.flapCos[bone] = 1f - 2f * sin * sin;
                 scratch.drivenRotations[bone] = new SoaQuaternion(
                     new SoaFloat3(tiltSin * cos, -tiltSin * sin, tiltCos * sin), tiltCos * cos);
             }
@@ -71,7 +73,7 @@ namespace Alate
             var flapAxis = new SoaFloat3(0f, -tiltSin, tiltCos);
             for (int bone = 0; bone < pack.rig.boneCount; bone++)
             {
-                SoaMath.SinCos(scratch.angle[bone].x, out float4 sin, out float4 cos);
+                float4 sin = scratch.flapSin[bone], cos = scratch.flapCos[bone];
                 var sweepAxis = new SoaFloat3(sin, -tiltCos * cos, -tiltSin * cos);
                 SoaFloat3 featherAxis = SoaQuaternion.Rotate(scratch.drivenRotations[bone], edge);
                 SoaFloat3 turning = scratch.angleRate[bone] * rate;

@@ -31,5 +31,9 @@ namespace Alate
         /// <summary>Matrix times a vector that is the same in all wings.</summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
         public static SoaFloat3 Mul(in SoaFloat3x3 m, float3 v) => m.c0 * v.x + m.c1 * v.y + m.c2 * v.z;
+
+        /// <summary>Matrix times a vector of each wing.</summary>
+        [MethodImpl(MethodImplOptions.AggressiveInlining)]
+        public static SoaFloat3 Mul(in SoaFloat3x3 m, SoaFloat3 v) => m.c0 * v.x + m.c1 * v.y + m.c2 * v.z;
     }
 }

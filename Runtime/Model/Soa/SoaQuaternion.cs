@@ -75,14 +75,14 @@ namespace Alate
         }
 
         /// <summary>
-        /// The shortest rotation that takes the direction of <paramref name="from"/> to that of <paramref name="to"/>, both
-        /// unit vectors that are not opposite.
+        /// Rotation by <paramref name="first"/>, then by the shortest one that takes the direction of <paramref name="from"/> to that of
+        /// <paramref name="to"/>, both unit vectors that are not opposite.
         /// </summary>
         [MethodImpl(MethodImplOptions.AggressiveInlining)]
-        public static SoaQuaternion Swing(SoaFloat3 from, SoaFloat3 to)
+        public static SoaQuaternion Swing(SoaFloat3 from, SoaFloat3 to, SoaQuaternion first)
         {
             float4 w = math.max(1f + SoaFloat3.Dot(from, to), 1e-6f);
-            return Normalize(new SoaQuaternion(SoaFloat3.Cross(from, to), w));
+            return Normalize(new SoaQuaternion(SoaFloat3.Cross(from, to), w) * first);
         }
 
         /// <summary>The rotation by a small vector of angles (radians, below about 1.2): the exponential map, by its series.</summary>

@@ -4,7 +4,7 @@ namespace Alate
 {
     /// <summary>Working memory of one substep: one block per worker, allocated once, sized for the largest rig.</summary>
     /// <remarks>
-    /// 217,664 bytes a worker for a monarch, and none a wing: what lives within a substep alone does not grow with the number of wings.
+    /// 218,304 bytes a worker for a monarch, and none a wing: what lives within a substep alone does not grow with the number of wings.
     /// Each array is on cache lines of its own, in the order in which the substep fills them.
     /// </remarks>
     internal unsafe struct StepScratch
@@ -22,6 +22,9 @@ namespace Alate
         public SoaFloat3* angleCurvature;
 
         // Driven pose.
+
+        /// <summary>[bone] Sine and cosine of the flap.</summary>
+        public float4* flapSin, flapCos;
         public SoaQuaternion* drivenRotations;
         public SoaFloat3* angularVelocity;
         public SoaFloat3* angularAcceleration;
@@ -98,11 +101,8 @@ namespace Alate
         public SoaFloat3* rollTo;
         public JointPose* pose;
 
-        /// <summary>[joint] Velocity of the deformation at the end of the substep less that which the loads were made with, L/s.</summary>
-        public SoaFloat3* rateChanges;
-
-        /// <summary>[joint] Force of the air at the end of the substep less the load.</summary>
-        public SoaFloat3* forceChanges;
+        /// <summary>[joint] Velocity of the joint and force of the air that are read: those of the end of the substep.</summary>
+        public SoaFloat3* endVelocities, endLoads;
 
         /// <summary>State and patch loads of wings that wait while others of their pack take more substeps.</summary>
         public float4* waiting;
@@ -122,6 +122,8 @@ namespace Alate
             scratch.angle = (SoaFloat3*)carver.Carve<SoaFloat3>(bones);
             scratch.angleRate = (SoaFloat3*)carver.Carve<SoaFloat3>(bones);
             scratch.angleCurvature = (SoaFloat3*)carver.Carve<SoaFloat3>(bones);
+            scratch.flapSin = (float4*)carver.Carve<float4>(bones);
+            scratch.flapCos = (float4*)carver.Carve<float4>(bones);
             scratch.drivenRotations = (SoaQuaternion*)carver.Carve<SoaQuaternion>(bones);
             scratch.angularVelocity = (SoaFloat3*)carver.Carve<SoaFloat3>(bones);
             scratch.angularAcceleration = (SoaFloat3*)carver.Carve<SoaFloat3>(bones);
@@ -171,8 +173,8 @@ namespace Alate
             scratch.rollFrom = (SoaFloat3*)carver.Carve<SoaFloat3>(bones);
             scratch.rollTo = (SoaFloat3*)carver.Carve<SoaFloat3>(bones);
             scratch.pose = (JointPose*)carver.Carve<JointPose>(joints);
-            scratch.rateChanges = (SoaFloat3*)carver.Carve<SoaFloat3>(joints);
-            scratch.forceChanges = (SoaFloat3*)carver.Carve<SoaFloat3>(joints);
+            scratch.endVelocities = (SoaFloat3*)carver.Carve<SoaFloat3>(joints);
+            scratch.endLoads = (SoaFloat3*)carver.Carve<SoaFloat3>(joints);
             // A chain has at least two joints.
             scratch.waiting = (float4*)carver.Carve<float4>(PackMemory.StateCount(joints, bones, joints));
             scratch.waitingLoads = (float4*)carver.Carve<float4>(

@@ -58,7 +58,7 @@ namespace Alate
                 SoaQuaternion bent = pack.bentRotations[bone];
                 var along = SoaFloat3.NormalizeSafe(scratch.positions[joint + 1] - scratch.positions[joint]);
                 SoaFloat3 posed = SoaQuaternion.Rotate(bent, new SoaFloat3(pack.rig.boneDirections[bone]));
-                scratch.boneRotations[bone] = SoaQuaternion.Normalize(SoaQuaternion.Swing(posed, along) * bent);
+                scratch.boneRotations[bone] = SoaQuaternion.Swing(posed, along, bent);
                 scratch.boneAxes[bone] = along;
             }
         }
@@ -93,9 +93,13 @@ namespace Alate
                 float4 cos = math.select(SoaFloat3.Dot(from, to) * inverse, 1f, scale2 < 1e-20f);
                 SoaFloat3 turn = SoaFloat3.Cross(from, to) * inverse;
                 bool4 tooFar = cos < k_RollCos;
-                float4 sin2 = math.max(SoaFloat3.LengthSquared(turn), 1e-12f);
-                turn *= math.select(1f, k_RollSin / math.sqrt(sin2), tooFar);
-                cos = math.select(cos, k_RollCos, tooFar);
+                if (math.any(tooFar))
+                {
+                    float4 sin2 = math.max(SoaFloat3.LengthSquared(turn), 1e-12f);
+                    turn *= math.select(1f, k_RollSin / math.sqrt(sin2), tooFar);
+                    cos = math.select(cos, k_RollCos, tooFar);
+                }
+
                 var roll = new SoaQuaternion(turn, 1f + cos);
                 scratch.boneRotations[bone] = SoaQuaternion.Normalize(roll * scratch.boneRotations[bone]);
             }

@@ -23,7 +23,8 @@ namespace Alate.Tests
         [Test]
         public void Swing_IsTheShortestTurn()
         {
-            var swing = SoaQuaternion.Swing(Lanes.All(1f, 0f, 0f), new SoaFloat3(math.normalize(new float3(1f, 0.4f, -0.2f))));
+            var swing = SoaQuaternion.Swing(
+                Lanes.All(1f, 0f, 0f), new SoaFloat3(math.normalize(new float3(1f, 0.4f, -0.2f))), new SoaQuaternion(default, 1f));
             float4 q = swing[0].value;
 
             // About the normal of both directions, by half of the angle between them.

@@ -94,13 +94,18 @@ namespace Alate.Tests
             {
                 var random = new Random(seed);
                 float3 from = random.NextFloat3Direction(), to = random.NextFloat3Direction();
-                var swing = SoaQuaternion.Swing(new SoaFloat3(from), new SoaFloat3(to));
+                var swing = SoaQuaternion.Swing(new SoaFloat3(from), new SoaFloat3(to), new SoaQuaternion(default, 1f));
                 AssertNear(math.rotate(swing[1], from), to, 1e-4f);
                 Assert.That(math.dot(swing[1].value.xyz, from), Is.EqualTo(0f).Within(1e-5f), "square to both");
+
+                quaternion first = random.NextQuaternionRotation();
+                var both = SoaQuaternion.Swing(
+                    new SoaFloat3(from), new SoaFloat3(to), new SoaQuaternion(new SoaFloat3(first.value.xyz), first.value.w));
+                AssertNear(both[2].value, math.mul(swing[1], first).value, 1e-5f);
             }
 
             var x = new float3(1f, 0f, 0f);
-            float4 back = SoaQuaternion.Swing(new SoaFloat3(x), new SoaFloat3(-x))[0].value;
+            float4 back = SoaQuaternion.Swing(new SoaFloat3(x), new SoaFloat3(-x), new SoaQuaternion(default, 1f))[0].value;
             Assert.That(math.length(back), Is.EqualTo(1f).Within(1e-6f));
         }
 
