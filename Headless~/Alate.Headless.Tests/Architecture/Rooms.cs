@@ -74,6 +74,7 @@ namespace Alate.Tests.Architecture
                     ["Geometry"] = ["Elementary"],
                     ["Triangulation"] = ["Elementary", "Geometry"],
                     ["Filling"] = ["Geometry", "Triangulation"],
+                    ["Reduction"] = ["Geometry"],
                 },
                 ["Alate.Model"] = new Dictionary<string, string[]>
                 {

@@ -1,5 +1,7 @@
 using System;
 using System.Collections.Generic;
+using System.Linq;
+using Alate.Geometry;
 using Unity.Mathematics;
 
 namespace Alate.Crowds
@@ -51,7 +53,7 @@ namespace Alate.Crowds
         /// <param name="triangles">[size] Triangles wanted, descending.</param>
         public static ReducedSurface[] Of(InsectBake bake, IReadOnlyList<int> triangles)
         {
-            var reducer = new TriangleReducer(bake.Surface);
+            TriangleReducer reducer = Reducer(bake.Surface);
             bool[] onWings = new bool[bake.Surface.Positions.Length];
             foreach (BakedWing wing in bake.Wings)
             {
@@ -64,12 +66,16 @@ namespace Alate.Crowds
             {
                 reducer.DropPieces(k_Piece * bake.WingLength / math.sqrt(triangles[size]), triangles[size], onWings);
                 reducer.ReduceTo(triangles[size]);
-                int[][] parts = reducer.Parts(bake.Surface.Parts.Count);
+                int[][] parts = reducer.Parts();
                 sizes[size] = new ReducedSurface(parts, Used(parts), Measure(bake, parts));
             }
 
             return sizes;
         }
+
+        /// <summary>Makes a reducer of a surface at rest.</summary>
+        internal static TriangleReducer Reducer(BakedSurface surface) => new TriangleReducer(
+            Array.ConvertAll(surface.Positions, place => (float3)place), surface.Parts.Select(part => part.Triangles).ToArray());
 
         private static int[] Used(int[][] parts)
         {

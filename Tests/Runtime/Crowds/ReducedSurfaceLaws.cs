@@ -1,43 +1,16 @@
 using System.Collections.Generic;
 using System.Linq;
 using Alate.Crowds;
+using Alate.Geometry;
 using NUnit.Framework;
 using Unity.Mathematics;
 using UnityEngine;
-using Random = Unity.Mathematics.Random;
 
 namespace Alate.Tests.Crowds
 {
     /// <summary>Laws of smaller meshes.</summary>
     public sealed class ReducedSurfaceLaws
     {
-        [Test]
-        public void AQuadric_IsTheSumOfSquaredDistancesFromItsPlanes()
-        {
-            var random = new Random(3u);
-            var planes = new List<(float3 Normal, double D, double Weight)>();
-            Quadric half = default, other = default;
-            for (int k = 0; k < 6; k++)
-            {
-                float3 normal = random.NextFloat3Direction();
-                (float3 Normal, double D, double Weight) plane = (normal, 4.0 * random.NextDouble() - 2.0, 0.1 + 3.0 * random.NextDouble());
-                planes.Add(plane);
-                if (k < 3)
-                    half.Add(normal.x, normal.y, normal.z, plane.D, plane.Weight);
-                else
-                    other.Add(normal.x, normal.y, normal.z, plane.D, plane.Weight);
-            }
-
-            half.Add(other);
-            for (int k = 0; k < 20; k++)
-            {
-                float3 place = random.NextFloat3(-3f, 3f);
-                double wanted = planes.Sum(plane => plane.Weight * System.Math.Pow(
-                    (double)plane.Normal.x * place.x + (double)plane.Normal.y * place.y + (double)plane.Normal.z * place.z + plane.D, 2.0));
-                Assert.That(half.At(place.x, place.y, place.z), Is.EqualTo(wanted).Within(1e-10 * wanted));
-            }
-        }
-
         [Test]
         public void APlaneWing_LosesNoArea_AndNoPlace_HoweverFewTrianglesRemain()
         {
@@ -89,14 +62,14 @@ namespace Alate.Tests.Crowds
         public void SmallPieces_GoFirst_ButOnlyWhileTooManyTrianglesRemain()
         {
             InsectBake bake = PlainBake.Make(1);
-            var reducer = new TriangleReducer(bake.Surface);
+            TriangleReducer reducer = ReducedSurface.Reducer(bake.Surface);
             reducer.DropPieces(1.7f, 0);
             Assert.That(reducer.Count, Is.EqualTo(130), "the body is 1.81 long, the wings are 2.2 from corner to corner");
             reducer.DropPieces(1.9f, 130);
             Assert.That(reducer.Count, Is.EqualTo(130), "few enough");
             reducer.DropPieces(1.9f, 129);
             Assert.That(reducer.Count, Is.EqualTo(128));
-            Assert.That(reducer.Parts(2)[1], Is.Empty);
+            Assert.That(reducer.Parts()[1], Is.Empty);
             bool[] stays = new bool[bake.Surface.Positions.Length];
             foreach (int vertex in bake.Wings.SelectMany(wing => wing.Vertices))
                 stays[vertex] = true;
@@ -113,10 +86,10 @@ namespace Alate.Tests.Crowds
             InsectBake bake = PlainBake.Make(1);
             Vector3[] places = bake.Surface.Positions;
             places[places.Length - 1] = places[22];
-            var seam = new TriangleReducer(bake.Surface);
+            TriangleReducer seam = ReducedSurface.Reducer(bake.Surface);
             seam.ReduceTo(4);
 
-            int[] used = seam.Parts(2)[0];
+            int[] used = seam.Parts()[0];
             Assert.That(used, Does.Contain(22), "another vertex stands on its place");
         }
 

@@ -1,5 +1,4 @@
-using Alate.Crowds;
-using UnityEngine;
+using Alate.Geometry;
 
 namespace Alate.Cli;
 
@@ -12,15 +11,7 @@ internal static class SmallerMesh
     /// <exception cref="UserException">Margins and seams alone have more.</exception>
     public static byte[] Of(ObjMesh mesh, int triangles)
     {
-        int vertices = mesh.Positions.Length;
-        var reducer = new TriangleReducer(new BakedSurface
-        {
-            Positions = mesh.Positions,
-            Normals = new Vector3[vertices],
-            Uvs = mesh.Uvs ?? new Vector2[vertices],
-            Colours = mesh.Colours ?? new Color32[vertices],
-            Parts = [new BakedPart("wing", null, false, mesh.Triangles)],
-        });
+        var reducer = new TriangleReducer(Array.ConvertAll(mesh.Positions, place => (float3)place), [mesh.Triangles]);
         reducer.ReduceTo(triangles);
         if (reducer.Count > triangles)
         {
@@ -29,7 +20,7 @@ internal static class SmallerMesh
                 + $"--triangles {reducer.Count} or more.");
         }
 
-        int[] corners = reducer.Parts(1)[0], kept = [.. corners.Distinct().Order()];
+        int[] corners = reducer.Parts()[0], kept = [.. corners.Distinct().Order()];
         using var stream = new MemoryStream();
         ObjWriter.Write(
             new SurfaceMesh

@@ -1,9 +1,8 @@
 using System;
 using System.Collections.Generic;
-using Alate.Geometry;
 using Unity.Mathematics;
 
-namespace Alate.Crowds
+namespace Alate.Geometry
 {
     /// <summary>
     /// Takes vertices out of a surface one by one, the least missed first: a vertex moves onto a neighbour, so that those that remain are
@@ -11,11 +10,8 @@ namespace Alate.Crowds
     /// </summary>
     internal sealed class TriangleReducer
     {
-        /// <summary>
-        /// Weight of margins against areas; weight of the way that a vertex moves, which spreads those that remain evenly over flat parts;
-        /// least cosine between old and new triangles.
-        /// </summary>
-        private const double k_Margin = 10.0, k_Way = 0.02, k_Flip = 0.2;
+        /// <summary>Weight of margins; of ways to vertices that went, to spread the rest; least cosine of triangles that change.</summary>
+        private const double k_Margin = 10.0, k_Way = 5e-4, k_Flip = 0.2;
 
         private readonly float3[] m_Places;
         private readonly List<int3> m_Triangles = new List<int3>();
@@ -36,20 +32,23 @@ namespace Alate.Crowds
         private bool m_OnMargin;
         private readonly List<float3> m_Areas = new List<float3>();
 
+        private readonly int m_PartCount;
         private int m_Count;
 
-        /// <param name="surface">The surface at rest.</param>
-        public TriangleReducer(BakedSurface surface)
+        /// <param name="places">[vertex] Of the surface at rest.</param>
+        /// <param name="parts">[part] Three vertices a triangle.</param>
+        public TriangleReducer(float3[] places, IReadOnlyList<int[]> parts)
         {
-            m_Places = Array.ConvertAll(surface.Positions, place => (float3)place);
+            m_Places = places;
             m_Around = Array.ConvertAll(m_Places, _ => new List<int>());
             m_Quadrics = new Quadric[m_Places.Length];
             m_Locked = Doubles(m_Places);
             m_Best = new (double, int)[m_Places.Length];
             m_Met = new int[m_Places.Length];
             m_Shared = new int[m_Places.Length];
-            for (int part = 0; part < surface.Parts.Count; part++)
-                AddPart(surface.Parts[part].Triangles, part);
+            m_PartCount = parts.Count;
+            for (int part = 0; part < parts.Count; part++)
+                AddPart(parts[part], part);
             m_Count = m_Triangles.Count;
             AddMargins();
             for (int vertex = 0; vertex < m_Places.Length; vertex++)
@@ -99,9 +98,9 @@ namespace Alate.Crowds
         }
 
         /// <summary>[part] Corners of the triangles that remain.</summary>
-        public int[][] Parts(int count)
+        public int[][] Parts()
         {
-            List<int>[] parts = Array.ConvertAll(new int[count], _ => new List<int>());
+            List<int>[] parts = Array.ConvertAll(new int[m_PartCount], _ => new List<int>());
             for (int triangle = 0; triangle < m_Triangles.Count; triangle++)
             {
                 int3 corners = m_Triangles[triangle];
@@ -141,6 +140,7 @@ namespace Alate.Crowds
                 {
                     m_Around[triangle[c]].Add(m_Triangles.Count);
                     m_Quadrics[triangle[c]].Add(normal.x, normal.y, normal.z, d, area);
+                    m_Quadrics[triangle[c]].AddPoint(m_Places[triangle[c]], k_Way * area);
                 }
 
                 m_Triangles.Add(triangle);
@@ -245,9 +245,7 @@ namespace Alate.Crowds
             Examine(vertex);
             foreach (int to in m_Neighbours)
             {
-                float3 place = m_Places[to];
-                double way = math.lengthsq(place - m_Places[vertex]);
-                double cost = m_Quadrics[vertex].At(place.x, place.y, place.z) + k_Way * way * way;
+                double cost = m_Quadrics[vertex].At(m_Places[to]);
                 if (cost < best.Cost && CanMove(vertex, to))
                     best = (cost, to);
             }

@@ -1,4 +1,6 @@
-namespace Alate.Crowds
+using Unity.Mathematics;
+
+namespace Alate.Geometry
 {
     /// <summary>Sum of squared distances from planes as a function of the place (Garland and Heckbert 1997).</summary>
     internal struct Quadric
@@ -20,6 +22,14 @@ namespace Alate.Crowds
             m_Dd += weight * d * d;
         }
 
+        /// <summary>Adds the squared distance from a point.</summary>
+        public void AddPoint(float3 point, double weight)
+        {
+            Add(1.0, 0.0, 0.0, -point.x, weight);
+            Add(0.0, 1.0, 0.0, -point.y, weight);
+            Add(0.0, 0.0, 1.0, -point.z, weight);
+        }
+
         /// <summary>Adds another sum.</summary>
         public void Add(in Quadric other)
         {
@@ -36,7 +46,11 @@ namespace Alate.Crowds
         }
 
         /// <summary>The sum at a place.</summary>
-        public double At(double x, double y, double z) =>
-            x * (m_Xx * x + 2 * (m_Xy * y + m_Xz * z + m_Xd)) + y * (m_Yy * y + 2 * (m_Yz * z + m_Yd)) + z * (m_Zz * z + 2 * m_Zd) + m_Dd;
+        public double At(float3 place)
+        {
+            double x = place.x, y = place.y, z = place.z;
+            return x * (m_Xx * x + 2 * (m_Xy * y + m_Xz * z + m_Xd)) + y * (m_Yy * y + 2 * (m_Yz * z + m_Yd))
+                + z * (m_Zz * z + 2 * m_Zd) + m_Dd;
+        }
     }
 }
