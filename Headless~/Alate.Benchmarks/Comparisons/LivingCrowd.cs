@@ -9,7 +9,10 @@ internal enum LivingCrowd
     /// <summary>Live in full detail, deformed by the graphics card.</summary>
     Gpu,
 
-    /// <summary>The same at many distances, three of ten near, with the levels of detail of their sizes.</summary>
+    /// <summary>At many distances, three of ten near, with the levels of detail of their sizes, deformed by the processor.</summary>
+    CpuWithLevels,
+
+    /// <summary>The same, deformed by the graphics card.</summary>
     GpuWithLevels,
 
     /// <summary>The same with a budget.</summary>

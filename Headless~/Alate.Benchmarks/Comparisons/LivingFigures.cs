@@ -41,6 +41,8 @@ internal static class LivingFigures
             double each = 1e3 / insects;
             report.Ratio(Targets.GpuFrame, $"{insects}", each * gpu.Frame, each * cpu.Frame, gpu.Frame / cpu.Frame);
             report.Ratio(Targets.GpuMain, $"{insects}", 1e3 * gpu.Main, 1e3 * cpu.Main, gpu.Main / cpu.Main);
+            LivingFrame smaller = Measure(LivingCrowd.CpuWithLevels, insects), whole = Measure(LivingCrowd.CpuWithLevels, insects, true);
+            report.Ratio(Targets.SmallerMeshes, $"{insects}", each * smaller.Frame, each * whole.Frame, smaller.Frame / whole.Frame);
         }
 
         return frames;
@@ -53,11 +55,11 @@ internal static class LivingFigures
         report.Figure("living_main_ms", what, $"{what}: main thread", "ms", frame.Main);
     }
 
-    private static LivingFrame Measure(LivingCrowd crowd, int insects)
+    private static LivingFrame Measure(LivingCrowd crowd, int insects, bool whole = false)
     {
         PlayerLoop.EnterPlayMode();
-        var monarch = new Brood(crowd == LivingCrowd.Cpu ? WingSkinning.Cpu : WingSkinning.Gpu);
-        bool hasLevels = crowd >= LivingCrowd.GpuWithLevels;
+        var monarch = new Brood(crowd is LivingCrowd.Cpu or LivingCrowd.CpuWithLevels ? WingSkinning.Cpu : WingSkinning.Gpu);
+        bool hasLevels = crowd >= LivingCrowd.CpuWithLevels;
         for (int k = 0; k < insects; k++)
             monarch.Hatch(k, new Vector3(0f, 0f, hasLevels ? Distance(k) : k_NearBy));
         if (hasLevels)
@@ -66,6 +68,8 @@ internal static class LivingFigures
         int warmUp = crowd == LivingCrowd.GpuWithBudget ? k_Settling : k_WarmUp;
         for (int frame = 0; frame < warmUp || WingSystem.InsectCount < insects; frame++)
             PlayerLoop.Tick(k_FrameTime);
+        if (whole)
+            ShowWhole();
         MarkerTimes.Clear();
         MarkerTimes.On = true;
         var wall = Stopwatch.StartNew();
@@ -78,6 +82,20 @@ internal static class LivingFigures
         WingSystem.Budget = 0f;
         PlayerLoop.ExitPlayMode();
         return new LivingFrame(crowd, insects, milliseconds, main);
+    }
+
+    // The baseline of smaller meshes: all insects have the sizes of before.
+    private static void ShowWhole()
+    {
+        foreach (InsectWings insect in Object.FindObjectsByType<InsectWings>(FindObjectsSortMode.None))
+        {
+            foreach (LiveMesh mesh in insect.Live.meshes)
+            {
+                mesh.ShowSmaller(false);
+                foreach (LiveWing wing in mesh.wings)
+                    WingSystem.Loop.World.SetSmaller(wing.handle, false);
+            }
+        }
     }
 
     // Three of ten are near, the others spread evenly.

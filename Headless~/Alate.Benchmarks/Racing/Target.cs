@@ -49,6 +49,8 @@ internal static class Targets
         "living_gpu_over_cpu", "a frame of living monarchs by the graphics card / by the processor", "us/insect", 0.8, 0.65);
     public static readonly Target GpuMain = new(
         "living_gpu_main_over_cpu", "main thread by the graphics card / by the processor", "us/frame", 0.5, 0.4);
+    public static readonly Target SmallerMeshes = new(
+        "living_smaller_over_whole", "a frame with smaller meshes in the distance / with whole ones", "us/insect", 0.95, 0.8);
     public static readonly Target Start = new(
         "start_1000_gpu_ms", "start of 1000 monarchs by the graphics card, longest frame", "ms", 5, 3);
     public static readonly Target GpuUpload = new(

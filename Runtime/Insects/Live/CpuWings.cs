@@ -9,7 +9,7 @@ namespace Alate
         private readonly MeshTemplate m_Template;
         private readonly Mesh m_Copy;
         private readonly int m_DisplacementStream;
-        private bool m_Moving;
+        private bool m_Moving, m_Smaller;
 
         public CpuWings(MeshTemplate template, Renderer renderer, bool moves)
         {
@@ -31,26 +31,34 @@ namespace Alate
 
         public override bool IsCurrent => true;
 
+        public override void ShowSmaller(bool smaller)
+        {
+            m_Smaller = smaller;
+            if (m_Copy != null)
+                m_Template.Sizes?.Show(m_Copy, smaller);
+        }
+
         public override void Upload(WingWorld world)
         {
             if (m_Copy == null)
                 return;
-            foreach (LiveWing wing in Wings)
+            for (int w = 0; w < Wings.Length; w++)
             {
+                LiveWing wing = Wings[w];
                 if (m_Template.IsPacked)
                 {
-                    Upload(world.PackedVertices(wing.handle), wing.start, DeformableMesh.VertexStream);
-                    Upload(world.PackedTangents(wing.handle), wing.start, DeformableMesh.TangentStream);
+                    Upload(world.PackedVertices(wing.handle), w, DeformableMesh.VertexStream);
+                    Upload(world.PackedTangents(wing.handle), w, DeformableMesh.TangentStream);
                 }
                 else
                 {
-                    Upload(world.Vertices(wing.handle), wing.start, DeformableMesh.VertexStream);
-                    Upload(world.Tangents(wing.handle), wing.start, DeformableMesh.TangentStream);
+                    Upload(world.Vertices(wing.handle), w, DeformableMesh.VertexStream);
+                    Upload(world.Tangents(wing.handle), w, DeformableMesh.TangentStream);
                 }
 
                 if (Moves)
                 {
-                    Upload(world.Displacements(wing.handle), wing.start, m_DisplacementStream);
+                    Upload(world.Displacements(wing.handle), w, m_DisplacementStream);
                     world.TakePicture(wing.handle);
                     m_Moving = true;
                 }
@@ -62,19 +70,22 @@ namespace Alate
             if (!m_Moving || m_Copy == null)
                 return;
             m_Moving = false;
-            foreach (LiveWing wing in Wings)
+            for (int w = 0; w < Wings.Length; w++)
             {
-                world.StopDisplacements(wing.handle);
-                Upload(world.Displacements(wing.handle), wing.start, m_DisplacementStream);
+                world.StopDisplacements(Wings[w].handle);
+                Upload(world.Displacements(Wings[w].handle), w, m_DisplacementStream);
             }
         }
 
         public override void Restore() => ObjectEnd.Destroy(m_Copy);
 
-        private void Upload<T>(NativeArray<T> values, int start, int stream) where T : struct
+        // Those of the smaller part are the first.
+        private void Upload<T>(NativeArray<T> values, int wing, int stream) where T : struct
         {
-            if (values.IsCreated)
-                m_Copy.SetVertexBufferData(values, 0, start, values.Length, stream, DeformableMesh.UploadFlags);
+            if (!values.IsCreated)
+                return;
+            int count = m_Smaller && m_Template.Shapes[wing].Smaller is { } smaller ? smaller.vertexCount : values.Length;
+            m_Copy.SetVertexBufferData(values, 0, Wings[wing].start, count, stream, DeformableMesh.UploadFlags);
         }
     }
 }

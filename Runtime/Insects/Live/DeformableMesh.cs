@@ -41,7 +41,8 @@ namespace Alate
         /// <param name="order">[new vertex] The source's vertex; each one once.</param>
         /// <param name="packed">Whether normals and tangents are signed bytes, or floats.</param>
         /// <param name="moves">Whether the vertices have displacements, in place of what the source has there.</param>
-        public static Mesh Build(Mesh source, int[] order, bool packed, bool moves)
+        /// <param name="smaller">[submesh] Other triangles, vertices of the source: they follow in the index buffer; or null.</param>
+        public static Mesh Build(Mesh source, int[] order, bool packed, bool moves, int[][] smaller = null)
         {
             // Submeshes with base vertices may have more vertices than their indices count to.
             IndexFormat indices = order.Length > k_MostOfSixteenBits ? IndexFormat.UInt32 : source.indexFormat;
@@ -73,7 +74,7 @@ namespace Alate
 
             if (others.Words > 0)
                 mesh.SetVertexBufferData(others.Pick(order), 0, 0, order.Length * others.Words, others.Stream, UploadFlags);
-            CopyTriangles(source, order, mesh);
+            CopyTriangles(source, order, mesh, smaller ?? Array.Empty<int[]>());
             mesh.bounds = source.bounds;
             return mesh;
         }
@@ -118,19 +119,35 @@ namespace Alate
 
         private static int Packed(Vector3 direction, float w) => SignedBytes.Pack(new SoaFloat3(direction.normalized), w).x;
 
-        private static void CopyTriangles(Mesh source, int[] order, Mesh mesh)
+        private static void CopyTriangles(Mesh source, int[] order, Mesh mesh, int[][] smaller)
         {
             int[] place = new int[order.Length];
             for (int v = 0; v < order.Length; v++)
                 place[order[v]] = v;
-            mesh.subMeshCount = source.subMeshCount;
-            for (int s = 0; s < source.subMeshCount; s++)
+            var indices = new List<int>();
+            var parts = new SubMeshDescriptor[source.subMeshCount];
+            for (int s = 0; s < parts.Length; s++)
             {
-                int[] indices = source.GetIndices(s, true);
-                for (int k = 0; k < indices.Length; k++)
-                    indices[k] = place[indices[k]];
-                mesh.SetIndices(indices, source.GetTopology(s), s, false);
+                int[] own = source.GetIndices(s, true);
+                parts[s] = new SubMeshDescriptor(indices.Count, own.Length, source.GetTopology(s));
+                indices.AddRange(Array.ConvertAll(own, vertex => place[vertex]));
             }
+
+            foreach (int[] own in smaller)
+                indices.AddRange(Array.ConvertAll(own, vertex => place[vertex]));
+            SetIndices(mesh, indices);
+            mesh.subMeshCount = parts.Length;
+            for (int s = 0; s < parts.Length; s++)
+                mesh.SetSubMesh(s, parts[s]);
+        }
+
+        private static void SetIndices(Mesh mesh, List<int> indices)
+        {
+            mesh.SetIndexBufferParams(indices.Count, mesh.indexFormat);
+            if (mesh.indexFormat == IndexFormat.UInt16)
+                mesh.SetIndexBufferData(indices.ConvertAll(index => (ushort)index).ToArray(), 0, 0, indices.Count, UploadFlags);
+            else
+                mesh.SetIndexBufferData(indices.ToArray(), 0, 0, indices.Count, UploadFlags);
         }
 
         /// <summary>Colours and texture coordinates of a mesh, as 32-bit words side by side.</summary>

@@ -3,7 +3,10 @@ using UnityEngine;
 
 namespace Alate
 {
-    /// <summary>Wings that the graphics card deforms: their joints go into the texture that all insects share.</summary>
+    /// <summary>
+    /// Wings that the graphics card deforms: their joints go into the texture that all insects share. Near and far ones keep one mesh, so
+    /// that they are drawn together.
+    /// </summary>
     internal sealed class GpuWings : ShownWings
     {
         private static readonly int s_Start = Shader.PropertyToID("_SkinStart"), s_Tint = Shader.PropertyToID("_SkinTint");

@@ -120,7 +120,7 @@ namespace Alate
             SkeletonValue[] skeletons = Array.ConvertAll(wings, w => m_Skeletons.Of(w.Skeleton));
             TemplateKey.WingKey[] keys = wings.Select((w, k) => new TemplateKey.WingKey(w, skeletons[k].Hash)).ToArray();
             var automatic = new AutomaticSkeleton(insect.transform, filter.transform);
-            var parts = new RiggedParts(mesh, automatic, patches);
+            var parts = new RiggedParts(mesh, automatic, patches, smaller: true);
             MeshTemplate template = m_Templates.Acquire(new TemplateKey(mesh, patches, keys, automatic), parts, wings, group, out problem);
             return template == null ? null
                 : new LiveMesh(filter, template, wings, skeletons, insect, m_Skins);

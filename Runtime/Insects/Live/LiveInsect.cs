@@ -33,7 +33,7 @@ namespace Alate
 
         private PackKey m_PackKey;
         private GuardedVector m_Wind, m_Velocity, m_Turning;
-        private bool m_Resting, m_Seen, m_Skinned = true;
+        private bool m_Resting, m_Seen, m_Skinned = true, m_Smaller;
         private double m_RestingSince, m_AsleepSince;
 
         public LiveInsect(InsectWings insect, int owner)
@@ -115,10 +115,13 @@ namespace Alate
                 if (wing.joint >= 0)
                     world.PlaceJoints(wing.handle, wing.joint);
                 world.SetSkinned(wing.handle, m_Skinned);
+                world.SetSmaller(wing.handle, m_Smaller);
                 if (!leader.IsNone)
                     world.Follow(wing.handle, leader);
             }
 
+            foreach (LiveMesh mesh in meshes)
+                mesh.ShowSmaller(m_Smaller);
             if (leader.IsNone)
                 Start(world);
         }
@@ -219,7 +222,8 @@ namespace Alate
                 Pace(world, WingDetail.Full, false, clocks);
             else
                 Pace(world, Wanted(viewers), outOfSight, clocks);
-            return SetSkinned(world);
+            bool whole = SetSmaller(world);
+            return SetSkinned(world) || (whole && m_Skinned);
         }
 
         /// <summary>Uploads what a picture shows: the deformed vertices, or that they have not moved since the last one.</summary>
@@ -298,6 +302,20 @@ namespace Alate
             m_PackKey = packKey;
             if (sleeps)
                 m_AsleepSince = now;
+        }
+
+        // Returns whether vertices are shown that were not deformed before. Who is out of sight or at rest keeps its mesh.
+        private bool SetSmaller(WingWorld world)
+        {
+            bool smaller = Detail >= WingDetail.CoarsePatches;
+            if (smaller == m_Smaller || Detail == WingDetail.Frozen)
+                return false;
+            m_Smaller = smaller;
+            foreach (LiveWing wing in wings)
+                world.SetSmaller(wing.handle, smaller);
+            foreach (LiveMesh mesh in meshes)
+                mesh.ShowSmaller(smaller);
+            return !smaller;
         }
 
         private bool SetSkinned(WingWorld world)

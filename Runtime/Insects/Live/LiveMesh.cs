@@ -64,6 +64,9 @@ namespace Alate
             && !template.IsOutdated && filter != null && renderer != null && ReferenceEquals(filter.sharedMesh, m_Mesh)
             && m_Shown.IsCurrent;
 
+        /// <summary>Has the mesh drawn with fewer triangles, where that costs less, or with all.</summary>
+        public void ShowSmaller(bool smaller) => m_Shown.ShowSmaller(smaller);
+
         /// <summary>Uploads the pose of all wings.</summary>
         public void Upload(WingWorld world) => m_Shown.Upload(world);
 

@@ -14,6 +14,7 @@ namespace Alate
         private const float k_Reach = 1.1f;
 
         private readonly Mesh m_Mesh;
+        private readonly int[][] m_Fewer;
         private Mesh m_Moving, m_Skinned;
 
         /// <summary>Makes a template of shapes that do not overlap; it takes over the shapes.</summary>
@@ -30,6 +31,7 @@ namespace Alate
             }
 
             IsPacked = DeformableMesh.CanPack;
+            m_Fewer = MeshSizes.FewerOf(source, shapes);
             m_Mesh = Build(moves: false);
         }
 
@@ -44,6 +46,9 @@ namespace Alate
 
         /// <summary>[wing] Its first joint among those of the mesh.</summary>
         public int[] FirstJoints { get; }
+
+        /// <summary>Whole and smaller triangles of the copies; null where no wing has a smaller part.</summary>
+        public MeshSizes Sizes { get; private set; }
 
         /// <summary>Joints of all wings.</summary>
         public int JointCount { get; }
@@ -106,7 +111,9 @@ namespace Alate
 
         private Mesh Build(bool moves)
         {
-            Mesh mesh = DeformableMesh.Build(Source, Order(Source.vertexCount), IsPacked, moves);
+            Mesh mesh = DeformableMesh.Build(Source, Order(Source.vertexCount), IsPacked, moves, m_Fewer);
+            if (m_Fewer != null)
+                Sizes ??= new MeshSizes(mesh, m_Fewer);
             mesh.bounds = Reach(Source.bounds);
             return mesh;
         }

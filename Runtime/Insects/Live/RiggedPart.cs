@@ -1,12 +1,15 @@
+using System.Collections.Generic;
+
 namespace Alate
 {
     /// <summary>Vertices of one wing of a mesh, and their rig.</summary>
     internal sealed class RiggedPart
     {
-        public RiggedPart(MeshSelection selection, WingRig rig)
+        public RiggedPart(MeshSelection selection, WingRig rig, SmallerPart smaller)
         {
             Selection = selection;
             Rig = rig;
+            Smaller = smaller;
         }
 
         /// <summary>The wing's part of the mesh.</summary>
@@ -15,22 +18,10 @@ namespace Alate
         /// <summary>Rig baked from that part; vertex k of the rig is vertex <c>Selection.vertices[k]</c> of the mesh.</summary>
         public WingRig Rig { get; }
 
-        /// <summary>Returns true where two wings share a vertex.</summary>
-        public bool Overlaps(RiggedPart other)
-        {
-            int[] a = Selection.vertices, b = other.Selection.vertices;
-            int i = 0, j = 0;
-            while (i < a.Length && j < b.Length)
-            {
-                if (a[i] == b[j])
-                    return true;
-                if (a[i] < b[j])
-                    i++;
-                else
-                    j++;
-            }
+        /// <summary>The part with fewer triangles; null where there is none, or none was wanted.</summary>
+        public SmallerPart Smaller { get; }
 
-            return false;
-        }
+        /// <summary>Returns true where two wings share a vertex.</summary>
+        public bool Overlaps(RiggedPart other) => new HashSet<int>(Selection.vertices).Overlaps(other.Selection.vertices);
     }
 }

@@ -9,12 +9,15 @@ namespace Alate
     {
         private readonly AutomaticSkeleton m_Automatic;
         private readonly int m_Patches;
+        private readonly bool m_Smaller;
 
         /// <param name="mesh">A readable mesh.</param>
         /// <param name="automatic">For wings without a skeleton.</param>
         /// <param name="patches">Surface patches of each wing.</param>
-        public RiggedParts(Mesh mesh, in AutomaticSkeleton automatic, int patches)
+        /// <param name="smaller">Whether smaller parts are wanted as well.</param>
+        public RiggedParts(Mesh mesh, in AutomaticSkeleton automatic, int patches, bool smaller = false)
         {
+            m_Smaller = smaller;
             Mesh = mesh;
             m_Automatic = automatic;
             m_Patches = patches;
@@ -66,13 +69,22 @@ namespace Alate
             }
 
             SurfaceMesh surface = MeshParts.Surface(Mesh, selection);
+            SmallerPart smaller = m_Smaller ? SmallerPart.Of(Mesh, selection) : null;
             WingSkeleton skeleton = wing.Skeleton;
             bool automatic = skeleton == null;
             try
             {
                 if (automatic)
                     skeleton = m_Automatic.Fit(surface).Skeleton;
-                shape = new RiggedPart(selection, WingRig.Bake(skeleton, surface, new WingRigSettings { patchCount = m_Patches }));
+                var settings = new WingRigSettings { patchCount = m_Patches };
+                if (smaller != null)
+                {
+                    selection = smaller.selection;
+                    surface = MeshParts.Surface(Mesh, selection);
+                    settings.smallerVertices = smaller.vertexCount;
+                }
+
+                shape = new RiggedPart(selection, WingRig.Bake(skeleton, surface, settings), smaller);
                 return InsectProblem.None;
             }
             catch (ArgumentException exception)

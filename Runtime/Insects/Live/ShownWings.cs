@@ -29,6 +29,11 @@ namespace Alate
         /// <summary>First joint of a wing in the world's joint memory; −1 where it has vertices.</summary>
         public virtual int FirstJoint(int wing) => -1;
 
+        /// <summary>Has the mesh drawn with fewer triangles, where that costs less, or with all.</summary>
+        public virtual void ShowSmaller(bool smaller)
+        {
+        }
+
         /// <summary>Uploads the pose of all wings.</summary>
         public abstract void Upload(WingWorld world);
 

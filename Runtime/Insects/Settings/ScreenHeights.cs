@@ -19,10 +19,14 @@ namespace Alate
             + "beat; with all where it flies. 0 never is. Multiplied by the quality settings' LOD bias.")]
         public float fewerSubstepsBelow;
 
-        /// <summary>Height below which the detail is <see cref="WingDetail.CoarsePatches"/>, share of the screen; default 0.1.</summary>
+        /// <summary>
+        /// Height below which the detail is <see cref="WingDetail.CoarsePatches"/>, share of the screen; default 0.1. Meshes that the
+        /// processor deforms then are drawn with a sixth of their triangles, 64 at least.
+        /// </summary>
         [Range(0f, 1f)]
-        [Tooltip("Share of the screen's height, 0 to 1, below which the insect is computed with fewer substeps and coarse patches. 0 never "
-            + "is. Multiplied by the quality settings' LOD bias.")]
+        [Tooltip("Share of the screen's height, 0 to 1, below which the insect is computed with fewer substeps and coarse patches, and a "
+            + "mesh that the processor deforms is drawn with a sixth of its triangles. 0 never is. Multiplied by the quality settings' "
+            + "LOD bias.")]
         public float coarsePatchesBelow;
 
         /// <summary>Height below which the detail is <see cref="WingDetail.WavesOnly"/>, share of the screen; default 0.03.</summary>

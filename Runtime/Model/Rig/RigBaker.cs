@@ -48,7 +48,7 @@ namespace Alate
                 patches = new PatchLayout(rest, cells, triangles, centres, chords, settings.patchCount),
                 coarsePatches = new PatchLayout(rest, cells, triangles, centres, chords, WingRigSettings.CoarsePatches),
                 influences = new VertexInfluences(rest, weights),
-                skin = new SkinLayout(rest, frame, weights, surface, SurfaceNormals.Make(surface, frame)),
+                skin = new SkinLayout(rest, frame, weights, surface, SurfaceNormals.Make(surface, frame), settings.smallerVertices),
             };
         }
 

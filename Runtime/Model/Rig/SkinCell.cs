@@ -5,5 +5,8 @@ namespace Alate
     {
         public int firstQuad;
         public int quadCount;
+
+        /// <summary>Number of the first of them that hold the vertices of a smaller mesh; all where there is none.</summary>
+        public int smallerQuads;
     }
 }

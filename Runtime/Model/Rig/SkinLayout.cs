@@ -18,7 +18,14 @@ namespace Alate
         /// <summary>Largest distance of a vertex from the place between its joints that its weights name, mesh units.</summary>
         public readonly float reach;
 
-        public SkinLayout(RestSkeleton rest, in WingFrame frame, CellPoint[] points, SurfaceMesh surface, float3[] normals)
+        /// <param name="rest">The skeleton at rest.</param>
+        /// <param name="frame">Of the wing, in the mesh.</param>
+        /// <param name="points">[vertex] In its cell.</param>
+        /// <param name="surface">The mesh.</param>
+        /// <param name="normals">[vertex] Mesh space.</param>
+        /// <param name="smaller">Number of the first vertices that a smaller mesh consists of; 0 where there is none.</param>
+        public SkinLayout(
+            RestSkeleton rest, in WingFrame frame, CellPoint[] points, SurfaceMesh surface, float3[] normals, int smaller)
         {
             int cellCount = rest.CellCount;
             int[] order = new int[points.Length];
@@ -31,6 +38,15 @@ namespace Alate
             {
                 cells[cell] = new SkinCell { firstQuad = quadCount, quadCount = (starts[cell + 1] - starts[cell] + 3) / 4 };
                 quadCount += cells[cell].quadCount;
+            }
+
+            // Within a cell the vertices keep their order, so that those of the smaller mesh are its first.
+            for (int cell = 0; cell < cellCount; cell++)
+            {
+                int count = 0;
+                while (count < starts[cell + 1] - starts[cell] && (smaller == 0 || order[starts[cell] + count] < smaller))
+                    count++;
+                cells[cell].smallerQuads = (count + 3) / 4;
             }
 
             bool hasTangents = surface.tangents != null && surface.tangents.Length > 0;

@@ -12,6 +12,9 @@ namespace Alate
         /// </summary>
         public int patchCount;
 
+        /// <summary>Number of the first vertices that a smaller mesh consists of; 0 where there is none.</summary>
+        internal int smallerVertices;
+
         /// <summary>Number of patches at <see cref="WingDetail.CoarsePatches"/>: one or two a cell of a 5 × 5 skeleton.</summary>
         public const int CoarsePatches = 24;
 

@@ -18,6 +18,9 @@ namespace Alate
         /// <summary>True where the job deforms the wing; otherwise vertices and bounds stay.</summary>
         public bool skinned;
 
+        /// <summary>True where only the vertices of the smaller mesh are deformed.</summary>
+        public bool smaller;
+
         /// <summary>True where the vertices are those of the last picture; otherwise displacements are 0.</summary>
         public bool displaces;
 

@@ -88,7 +88,7 @@ namespace Alate
             {
                 SkinCell range = target.rig.skinCells[cell];
                 int first = math.max(range.firstQuad, firstQuad);
-                int end = math.min(range.firstQuad + range.quadCount, endQuad);
+                int end = math.min(range.firstQuad + (target.smaller ? range.smallerQuads : range.quadCount), endQuad);
                 if (first >= end)
                     continue;
                 int joint = cell + cell / (joints - 1);

@@ -181,6 +181,14 @@ namespace Alate
             Write(entry);
         }
 
+        /// <summary>Sets whether the skinning job deforms the vertices of the smaller mesh alone.</summary>
+        public void SetSmaller(WingEntry entry, bool smaller)
+        {
+            entry.smaller = smaller;
+            entry.displaces = false;
+            Write(entry);
+        }
+
         /// <summary>Sets whether a wing's vertices are those of the last picture, from which displacements lead.</summary>
         public void SetDisplaces(WingEntry entry, bool displaces)
         {
@@ -224,6 +232,7 @@ namespace Alate
                 return;
             SkinTarget target = m_Targets[entry.target];
             target.skinned = entry.skinned;
+            target.smaller = entry.smaller;
             target.displaces = entry.displaces;
             target.palette = (DualQuaternion*)Pointer(entry.palette);
             target.placed = entry.placed;
@@ -286,6 +295,7 @@ namespace Alate
                 pack = entry.pack.index,
                 lane = entry.lane,
                 skinned = entry.skinned,
+                smaller = entry.smaller,
                 vertices = (SkinnedVertex*)Pointer(entry.vertices),
                 tangents = (float4*)Pointer(entry.tangents),
                 packedVertices = (PackedVertex*)Pointer(entry.packedVertices),

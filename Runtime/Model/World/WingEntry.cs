@@ -49,6 +49,9 @@ namespace Alate
         /// <summary>True where the skinning job deforms the wing.</summary>
         public bool skinned = true;
 
+        /// <summary>True where it deforms the vertices of the smaller mesh alone.</summary>
+        public bool smaller;
+
         /// <summary>True where the vertices are those of the last picture.</summary>
         public bool displaces;
 

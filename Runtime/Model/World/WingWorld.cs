@@ -178,6 +178,12 @@ namespace Alate
         /// <exception cref="ArgumentException">No such wing.</exception>
         public void SetSkinned(WingHandle wing, bool skinned) => m_Arrays.SetSkinned(Entry(wing), skinned);
 
+        /// <summary>
+        /// Chooses whether <see cref="Skin"/> deforms the vertices of the smaller mesh alone; the others stay as they are. Its bounds are
+        /// those of the vertices that were deformed.
+        /// </summary>
+        internal void SetSmaller(WingHandle wing, bool smaller) => m_Arrays.SetSmaller(Entry(wing), smaller);
+
         /// <summary>Advances all wings by one fixed step, seconds; does nothing where dt is not positive. Returns when done.</summary>
         /// <exception cref="ArgumentException">dt is not finite.</exception>
         public void Step(float dt)

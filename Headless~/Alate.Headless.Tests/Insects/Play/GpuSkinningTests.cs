@@ -89,6 +89,21 @@ public sealed class GpuSkinningTests : GpuFixture
     }
 
     [UnityTest]
+    public IEnumerator FarAway_TheMeshStaysThatOfTheNearOnes()
+    {
+        InsectWings near = Hatched(WingSkinning.Gpu), far = Hatched(WingSkinning.Gpu);
+        WingSystem.DetailCameras.Add(Keep(new GameObject("camera")).AddComponent<Camera>());
+        near.transform.position = 2f * Vector3.forward;
+        far.transform.position = 25f * Vector3.forward;
+        yield return Frames(5);
+
+        Assert.That(near.Detail, Is.EqualTo(WingDetail.Full));
+        Assert.That(far.Detail, Is.EqualTo(WingDetail.CoarsePatches));
+        Assert.That(Shown(far, 0), Is.SameAs(Shown(near, 0)));
+        Assert.That(Shown(far, 0).triangles, Has.Length.EqualTo(WingMesh.triangles.Length));
+    }
+
+    [UnityTest]
     public IEnumerator WhatWasChanged_ComesBack()
     {
         InsectWings insect = Hatched(WingSkinning.Gpu);

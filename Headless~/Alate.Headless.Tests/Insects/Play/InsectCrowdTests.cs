@@ -291,10 +291,11 @@ namespace Alate.Tests.Play.Headless
                 LiveWing flown = live.Live.wings[w];
                 NativeArray<PackedVertex> vertices = WingSystem.Loop.World.PackedVertices(flown.handle);
                 Matrix4x4 toInsect = live.transform.worldToLocalMatrix * flown.transform.localToWorldMatrix;
-                for (int k = 0; k < wing.Vertices.Length; k++)
+                int[] order = Order(live, w), ascending = order.OrderBy(v => v).ToArray();
+                for (int k = 0; k < order.Length; k++)
                 {
-                    apart = math.max(
-                        apart, math.distance(positions[wing.Vertices[k]], toInsect.MultiplyPoint3x4(vertices[k].position)) / wing.Length);
+                    float3 baked = positions[wing.Vertices[Array.BinarySearch(ascending, order[k])]];
+                    apart = math.max(apart, math.distance(baked, toInsect.MultiplyPoint3x4(vertices[k].position)) / wing.Length);
                 }
             }
 

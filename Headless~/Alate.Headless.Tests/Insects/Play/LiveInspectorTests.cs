@@ -320,7 +320,8 @@ namespace Alate.Tests.Play
         private static Vector3 NearestVertex(InsectWings insect, int wing, Vector3 rest)
         {
             Vector3[] authored = insect.Wings[wing].Authored.vertices, drawn = Shown(insect, wing).vertices;
-            int nearest = Enumerable.Range(0, authored.Length).OrderBy(v => (authored[v] - rest).sqrMagnitude).First();
+            int[] order = Order(insect, wing);
+            int nearest = Enumerable.Range(0, order.Length).OrderBy(v => (authored[order[v]] - rest).sqrMagnitude).First();
             return drawn[nearest];
         }
 

@@ -7,7 +7,7 @@ namespace Alate
     /// <summary>Set of triangles of a mesh and the vertices they use.</summary>
     internal sealed class MeshSelection
     {
-        /// <summary>Vertices of the mesh, ascending; each is a corner of one of the triangles.</summary>
+        /// <summary>Vertices of the mesh, ascending unless said otherwise; each is a corner of one of the triangles.</summary>
         public readonly int[] vertices;
 
         /// <summary>Corners, three a triangle: places in <see cref="vertices"/>, in the mesh's order and winding.</summary>

@@ -138,7 +138,7 @@ namespace Alate.Tests
                 Assert.That(other.Overlaps(one), Is.EqualTo(one.Overlaps(other)));
             }
 
-            RiggedPart Part(int[] vertices) => new RiggedPart(new MeshSelection(vertices, new int[0]), null);
+            RiggedPart Part(int[] vertices) => new RiggedPart(new MeshSelection(vertices, new int[0]), null, null);
             int[] Some() => Enumerable.Range(0, random.Next(1, 6)).Select(_ => random.Next(16)).Distinct().OrderBy(v => v).ToArray();
         }
 

@@ -1,5 +1,6 @@
 using System.Collections;
 using System.Collections.Generic;
+using System.Linq;
 using Alate.Catalogue;
 using NUnit.Framework;
 using Unity.Mathematics;
@@ -9,19 +10,8 @@ using UnityEngine.TestTools;
 namespace Alate.Tests.Play
 {
     /// <summary>Levels of detail that follow the view, without visible changes.</summary>
-    public sealed class DetailTests : FlockFixture
+    public sealed class DetailTests : DetailFixture
     {
-        private Camera m_Camera;
-
-        [SetUp]
-        public void MakeACamera()
-        {
-            m_Camera = Keep(new GameObject("camera")).AddComponent<Camera>();
-            m_Camera.fieldOfView = 60f;
-            m_Camera.farClipPlane = 1e5f;
-            WingSystem.DetailCameras.Add(m_Camera);
-        }
-
         [UnityTest]
         public IEnumerator EachShareOfTheScreen_HasItsLevel()
         {
@@ -44,14 +34,14 @@ namespace Alate.Tests.Play
         [UnityTest]
         public IEnumerator AnOrthographicCamera_CountsTheSame()
         {
-            m_Camera.orthographic = true;
+            Camera.orthographic = true;
             InsectWings insect = Hatch();
             Look(insect, 0.5f);
-            m_Camera.orthographicSize = QualitySettings.lodBias / 0.05f;
+            Camera.orthographicSize = QualitySettings.lodBias / 0.05f;
             yield return Frames(3);
             Assert.That(insect.Detail, Is.EqualTo(WingDetail.CoarsePatches));
 
-            m_Camera.orthographicSize = QualitySettings.lodBias / 0.5f;
+            Camera.orthographicSize = QualitySettings.lodBias / 0.5f;
             yield return Frames(3);
             Assert.That(insect.Detail, Is.EqualTo(WingDetail.Full));
         }
@@ -65,7 +55,7 @@ namespace Alate.Tests.Play
             Assert.That(insect.Detail, Is.EqualTo(WingDetail.Frozen));
             float beats = Beats(insect);
 
-            insect.transform.position = Vector3.Lerp(m_Camera.transform.position, insect.transform.position, 0.001f);
+            insect.transform.position = Vector3.Lerp(Camera.transform.position, insect.transform.position, 0.001f);
             insect.Teleport();
             yield return Frames(30);
 
@@ -93,10 +83,10 @@ namespace Alate.Tests.Play
             InsectWings insect = Hatch(made => made.Quality.levelOfDetail = !camera);
             Look(insect, 0.001f);
             if (!camera)
-                m_Camera.enabled = false;
+                Camera.enabled = false;
             WingSystem.DetailCameras.Clear();
             if (camera)
-                WingSystem.DetailCameras.Add(m_Camera);
+                WingSystem.DetailCameras.Add(Camera);
             yield return Frames(60);
 
             Assert.That(insect.Detail, Is.EqualTo(WingDetail.Full));
@@ -191,7 +181,7 @@ namespace Alate.Tests.Play
         {
             InsectWings near = Hatch(), far = Hatch(), twin = Hatch(made => made.Quality.levelOfDetail = false);
             Look(near, 0.5f);
-            far.transform.position = m_Camera.transform.position + 400f * Vector3.forward;
+            far.transform.position = Camera.transform.position + 400f * Vector3.forward;
             yield return Frames(60);
 
             Assert.That(near.Detail, Is.EqualTo(WingDetail.Full));
@@ -228,13 +218,6 @@ namespace Alate.Tests.Play
             }
         }
 
-        // A camera so far away that the insect's wing fills a share of the screen's height.
-        private void Look(InsectWings insect, float height)
-        {
-            float distance = QualitySettings.lodBias / (height * math.tan(math.radians(30f)));
-            m_Camera.transform.position = insect.transform.position - distance * Vector3.forward;
-        }
-
         private static Bounds Grown(Bounds bounds)
         {
             bounds.Expand(1e-4f);
@@ -244,15 +227,17 @@ namespace Alate.Tests.Play
         private static IEnumerator Moves(InsectWings insect, int frames, System.Action<float> tell)
         {
             Vector3[] last = Shown(insect, 0).vertices;
+            int[] drawn = Shown(insect, 0).triangles;
             for (int frame = 0; frame < frames; frame++)
             {
                 yield return null;
                 Vector3[] now = Shown(insect, 0).vertices;
+                int[] corners = Shown(insect, 0).triangles;
                 float largest = 0f;
-                for (int v = 0; v < now.Length; v++)
+                foreach (int v in drawn.Intersect(corners))
                     largest = math.max(largest, (now[v] - last[v]).magnitude);
                 tell(largest);
-                last = now;
+                (last, drawn) = (now, corners);
             }
         }
     }

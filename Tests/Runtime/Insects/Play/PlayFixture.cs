@@ -119,6 +119,14 @@ namespace Alate.Tests.Play
         /// <summary>The mesh that a wing shows.</summary>
         protected static Mesh Shown(InsectWings insect, int wing) => insect.Wings[wing].Renderer.GetComponent<MeshFilter>().sharedMesh;
 
+        /// <summary>[vertex of a wing, as the living mesh has them] The authored mesh's.</summary>
+        protected static int[] Order(InsectWings insect, int wing)
+        {
+            LiveWing live = insect.Live.wings[wing];
+            LiveMesh mesh = insect.Live.meshes.Find(shown => shown.wings.Contains(live));
+            return mesh.template.Shapes[System.Array.IndexOf(mesh.wings, live)].Selection.vertices;
+        }
+
         /// <summary>Makes the fixture one more user of the parts, so that the last insect of a test does not free them.</summary>
         protected void KeepParts()
         {

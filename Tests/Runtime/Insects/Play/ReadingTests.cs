@@ -225,7 +225,8 @@ namespace Alate.Tests.Play
             yield return Frames(2);
             int wing = mirrored ? 1 : 0;
             Transform drawn = insect.Wings[wing].Renderer.transform;
-            Vector3[] rest = WingMesh.vertices, now = Shown(insect, wing).vertices;
+            Vector3[] authored = WingMesh.vertices, now = Shown(insect, wing).vertices;
+            Vector3[] rest = Array.ConvertAll(Order(insect, wing), v => authored[v]);
             WingReading reading = insect.Read(wing);
             float worst = 0f;
             for (int chain = 0; chain < reading.ChainCount; chain++)
