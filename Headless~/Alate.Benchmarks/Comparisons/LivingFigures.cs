@@ -69,7 +69,7 @@ internal static class LivingFigures
         for (int frame = 0; frame < warmUp || WingSystem.InsectCount < insects; frame++)
             PlayerLoop.Tick(k_FrameTime);
         if (whole)
-            ShowWhole();
+            Show(smaller: false);
         MarkerTimes.Clear();
         MarkerTimes.On = true;
         var wall = Stopwatch.StartNew();
@@ -84,16 +84,16 @@ internal static class LivingFigures
         return new LivingFrame(crowd, insects, milliseconds, main);
     }
 
-    // The baseline of smaller meshes: all insects have the sizes of before.
-    private static void ShowWhole()
+    /// <summary>Has all insects drawn with smaller meshes, or with whole ones, whatever their size.</summary>
+    public static void Show(bool smaller)
     {
         foreach (InsectWings insect in Object.FindObjectsByType<InsectWings>(FindObjectsSortMode.None))
         {
             foreach (LiveMesh mesh in insect.Live.meshes)
             {
-                mesh.ShowSmaller(false);
+                mesh.ShowSmaller(smaller);
                 foreach (LiveWing wing in mesh.wings)
-                    WingSystem.Loop.World.SetSmaller(wing.handle, false);
+                    WingSystem.Loop.World.SetSmaller(wing.handle, smaller);
             }
         }
     }

@@ -85,6 +85,8 @@ internal static class MemoryFigures
         var bytes = Parts.ToDictionary(part => part, _ => 0L);
         foreach ((string source, long size) in NativeMemoryLedger.BytesBySource())
             bytes[s_Parts.GetValueOrDefault(source, Lists)] += size - native.GetValueOrDefault(source);
+        // The smaller triangles are the last of the index buffer.
+        LivingFigures.Show(smaller: true);
         Mesh[] shown = [.. UnityEngine.Object.FindObjectsByType<MeshFilter>(FindObjectsSortMode.None)
             .Select(filter => filter.sharedMesh).Distinct()];
         bytes[Meshes] = shown.Sum(mesh => Size(mesh, sizeof(ushort)));
@@ -96,8 +98,8 @@ internal static class MemoryFigures
 
     private static long Size(Mesh mesh, int index)
     {
-        long indices = Enumerable.Range(0, mesh.subMeshCount).Sum(part => index * (long)mesh.GetIndexCount(part));
+        long indices = Enumerable.Range(0, mesh.subMeshCount).Max(part => (long)mesh.GetIndexStart(part) + mesh.GetIndexCount(part));
         int stride = Enumerable.Range(0, mesh.vertexBufferCount).Sum(mesh.GetVertexBufferStride);
-        return indices + (long)mesh.vertexCount * stride;
+        return index * indices + (long)mesh.vertexCount * stride;
     }
 }
