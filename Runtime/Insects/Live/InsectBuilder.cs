@@ -120,11 +120,17 @@ namespace Alate
             SkeletonValue[] skeletons = Array.ConvertAll(wings, w => m_Skeletons.Of(w.Skeleton));
             TemplateKey.WingKey[] keys = wings.Select((w, k) => new TemplateKey.WingKey(w, skeletons[k].Hash)).ToArray();
             var automatic = new AutomaticSkeleton(insect.transform, filter.transform);
-            var parts = new RiggedParts(mesh, automatic, patches, smaller: true);
-            MeshTemplate template = m_Templates.Acquire(new TemplateKey(mesh, patches, keys, automatic), parts, wings, group, out problem);
+            bool smaller = HasSmaller(insect, wings[0].Renderer);
+            var parts = new RiggedParts(mesh, automatic, patches, smaller);
+            MeshTemplate template = m_Templates.Acquire(
+                new TemplateKey(mesh, patches, smaller, keys, automatic), parts, wings, group, out problem);
             return template == null ? null
                 : new LiveMesh(filter, template, wings, skeletons, insect, m_Skins);
         }
+
+        // Making them takes four to six times as long as a rig: not for who never needs them.
+        private static bool HasSmaller(InsectWings insect, Renderer renderer) => insect.Quality.levelOfDetail
+            && (insect.Quality.skinning == WingSkinning.Cpu || GpuSkins.FindObstacle(renderer) != null);
 
         // Whether the wings that the list has on a mesh's renderer are those that the mesh was built with, unchanged.
         private static bool HasSameWings(LiveMesh mesh, List<Wing> listed)

@@ -13,7 +13,7 @@ namespace Alate
         private readonly ShownWings m_Shown;
         private readonly Mesh m_Mesh;
         private readonly int m_Patches;
-        private readonly bool m_Moves;
+        private readonly bool m_Moves, m_HasLevels;
         private readonly WingSkinning m_Skinning;
         private readonly MotionVectorGenerationMode m_Mode;
 
@@ -25,6 +25,7 @@ namespace Alate
             renderer = wings[0].Renderer;
             m_Patches = insect.Patches;
             m_Moves = insect.Quality.motionVectors;
+            m_HasLevels = insect.Quality.levelOfDetail;
             m_Skinning = insect.Quality.skinning;
             string obstacle = null;
             if (m_Skinning != WingSkinning.Cpu)
@@ -60,7 +61,8 @@ namespace Alate
         /// the authored mesh with the insect's number of patches, and as the insect wants it deformed.
         /// </summary>
         public bool IsCurrent(InsectWings insect) =>
-            insect.Patches == m_Patches && insect.Quality.motionVectors == m_Moves && insect.Quality.skinning == m_Skinning
+            insect.Patches == m_Patches && insect.Quality.motionVectors == m_Moves && insect.Quality.levelOfDetail == m_HasLevels
+            && insect.Quality.skinning == m_Skinning
             && !template.IsOutdated && filter != null && renderer != null && ReferenceEquals(filter.sharedMesh, m_Mesh)
             && m_Shown.IsCurrent;
 

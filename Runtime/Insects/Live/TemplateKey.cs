@@ -3,26 +3,34 @@ using UnityEngine;
 
 namespace Alate
 {
-    /// <summary>Key of a template: a mesh, the wings on it, and the number of patches that meet the air.</summary>
+    /// <summary>
+    /// Key of a template: a mesh, the wings on it, the number of patches that meet the air, and whether it has smaller parts.
+    /// </summary>
     internal sealed class TemplateKey
     {
         private readonly Mesh m_Mesh;
         private readonly int m_Patches;
+        private readonly bool m_Smaller;
         private readonly WingKey[] m_Wings;
         private readonly AutomaticSkeleton m_Automatic;
 
-        public TemplateKey(Mesh mesh, int patches, WingKey[] wings, in AutomaticSkeleton automatic)
+        public TemplateKey(Mesh mesh, int patches, bool smaller, WingKey[] wings, in AutomaticSkeleton automatic)
         {
             m_Automatic = automatic;
             m_Mesh = mesh;
             m_Patches = patches;
+            m_Smaller = smaller;
             m_Wings = wings;
         }
 
         public bool Matches(TemplateKey other)
         {
-            if (!ReferenceEquals(m_Mesh, other.m_Mesh) || m_Patches != other.m_Patches || m_Wings.Length != other.m_Wings.Length)
+            if (!ReferenceEquals(m_Mesh, other.m_Mesh) || m_Patches != other.m_Patches || m_Smaller != other.m_Smaller
+                || m_Wings.Length != other.m_Wings.Length)
+            {
                 return false;
+            }
+
             for (int w = 0; w < m_Wings.Length; w++)
             {
                 if (!m_Wings[w].Equals(other.m_Wings[w]) || (m_Wings[w].IsAutomatic && !m_Automatic.Matches(other.m_Automatic)))

@@ -65,19 +65,21 @@ namespace Alate.Tests
             var place = new AutomaticSkeleton(here.transform, here.transform);
             var away = new AutomaticSkeleton(here.transform, aside.transform);
             TemplateKey.WingKey laid = Key(skeleton, 1), automatic = Key(null, 1), second = Key(skeleton, 2);
-            var key = new TemplateKey(mesh, 64, new[] { laid, second }, place);
+            var key = new TemplateKey(mesh, 64, true, new[] { laid, second }, place);
 
-            Assert.That(key.Matches(new TemplateKey(mesh, 64, new[] { laid, second }, place)));
-            Assert.That(key.Matches(new TemplateKey(mesh, 64, new[] { laid, second }, away)), "laid out by hand");
-            Assert.That(key.Matches(new TemplateKey(another, 64, new[] { laid, second }, place)), Is.False);
-            Assert.That(key.Matches(new TemplateKey(mesh, 65, new[] { laid, second }, place)), Is.False);
-            Assert.That(key.Matches(new TemplateKey(mesh, 64, new[] { laid }, place)), Is.False);
-            Assert.That(new TemplateKey(mesh, 64, new[] { laid }, place).Matches(key), Is.False);
-            Assert.That(key.Matches(new TemplateKey(mesh, 64, new[] { second, laid }, place)), Is.False);
-            Assert.That(key.Matches(new TemplateKey(mesh, 64, new[] { laid, laid }, place)), Is.False);
-            var free = new TemplateKey(mesh, 64, new[] { laid, automatic }, place);
-            Assert.That(free.Matches(new TemplateKey(mesh, 64, new[] { laid, automatic }, place)));
-            Assert.That(free.Matches(new TemplateKey(mesh, 64, new[] { laid, automatic }, away)), Is.False, "one is laid out by its place");
+            Assert.That(key.Matches(new TemplateKey(mesh, 64, true, new[] { laid, second }, place)));
+            Assert.That(key.Matches(new TemplateKey(mesh, 64, true, new[] { laid, second }, away)), "laid out by hand");
+            Assert.That(key.Matches(new TemplateKey(another, 64, true, new[] { laid, second }, place)), Is.False);
+            Assert.That(key.Matches(new TemplateKey(mesh, 65, true, new[] { laid, second }, place)), Is.False);
+            Assert.That(key.Matches(new TemplateKey(mesh, 64, false, new[] { laid, second }, place)), Is.False);
+            Assert.That(key.Matches(new TemplateKey(mesh, 64, true, new[] { laid }, place)), Is.False);
+            Assert.That(new TemplateKey(mesh, 64, true, new[] { laid }, place).Matches(key), Is.False);
+            Assert.That(key.Matches(new TemplateKey(mesh, 64, true, new[] { second, laid }, place)), Is.False);
+            Assert.That(key.Matches(new TemplateKey(mesh, 64, true, new[] { laid, laid }, place)), Is.False);
+            var free = new TemplateKey(mesh, 64, true, new[] { laid, automatic }, place);
+            Assert.That(free.Matches(new TemplateKey(mesh, 64, true, new[] { laid, automatic }, place)));
+            Assert.That(
+                free.Matches(new TemplateKey(mesh, 64, true, new[] { laid, automatic }, away)), Is.False, "one is laid out by its place");
         }
 
         // Whatever the vertices are called by, a corner has the same place, direction, colour and coordinates.

@@ -15,6 +15,9 @@ namespace Alate
         /// <summary>Number of triangles that remain at least.</summary>
         private const int k_Least = 64;
 
+        /// <summary>Number of triangles of the largest part that is made smaller: it takes a tenth of a second.</summary>
+        private const int k_Most = 8000;
+
         /// <summary>All vertices of the part, those of the smaller one first, each kind ascending; and all its triangles.</summary>
         public readonly MeshSelection selection;
 
@@ -36,12 +39,12 @@ namespace Alate
         /// </summary>
         /// <param name="mesh">A readable mesh.</param>
         /// <param name="selection">Part of it.</param>
-        /// <returns>Null where too few triangles could go, or others of the mesh hang on to its vertices.</returns>
+        /// <returns>Null where it has few triangles or very many, or others of the mesh hang on to its vertices.</returns>
         public static SmallerPart Of(Mesh mesh, MeshSelection selection)
         {
-            int wanted = Math.Max(selection.triangles.Length / 3 / k_Share, k_Least);
-            int[][] whole = Triangles(mesh, selection);
-            if (whole == null || wanted >= selection.triangles.Length / 3)
+            int count = selection.triangles.Length / 3, wanted = Math.Max(count / k_Share, k_Least);
+            int[][] whole = wanted < count && count <= k_Most ? Triangles(mesh, selection) : null;
+            if (whole == null)
                 return null;
             Vector3[] positions = mesh.vertices;
             var reducer = new TriangleReducer(
@@ -56,9 +59,9 @@ namespace Alate
                     stays[place] = true;
             }
 
-            int[] order = Order(stays, out int count);
+            int[] order = Order(stays, out int vertexCount);
             return new SmallerPart(
-                Reordered(selection, order), count,
+                Reordered(selection, order), vertexCount,
                 Array.ConvertAll(kept, part => Array.ConvertAll(part, place => selection.vertices[place])));
         }
 

@@ -67,6 +67,14 @@ namespace Alate.Tests
             Assert.That(Part(more).triangles[0].Length / 3, Is.EqualTo(64), "of 66");
         }
 
+        // It would take too long to make.
+        [Test]
+        public void ThereIsNone_OfVeryManyTriangles()
+        {
+            Assert.That(Part(Keep(TestWings.ToMesh(TestWings.Rectangle(80, 50)))), Is.Not.Null, "8,000");
+            Assert.That(Part(Keep(TestWings.ToMesh(TestWings.Rectangle(81, 50)))), Is.Null);
+        }
+
         [Test]
         public void ThereIsNone_WhereSomethingElseHangsOnToTheVertices([Values] bool line)
         {

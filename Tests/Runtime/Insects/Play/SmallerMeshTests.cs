@@ -99,6 +99,22 @@ namespace Alate.Tests.Play
             AssertWhole(insect, "built again");
         }
 
+        // Making smaller parts takes time: only for insects that may need them.
+        [UnityTest]
+        public IEnumerator WithoutLevelsOfDetail_ThereAreNone_UntilTheyAreWanted()
+        {
+            InsectWings insect = Hatch(made => made.Quality.levelOfDetail = false), other = Hatch();
+            Look(insect, k_Far);
+            yield return Frames(5);
+            Assert.That(insect.Live.meshes[0].template.Sizes, Is.Null);
+            Assert.That(other.Live.meshes[0].template.Sizes, Is.Not.Null);
+            Assert.That(Order(insect, 0), Is.Ordered, "its vertices are in the authored order");
+            insect.Quality.levelOfDetail = true;
+            yield return Frames(5);
+            Assert.That(insect.Live.meshes[0].template, Is.SameAs(other.Live.meshes[0].template));
+            Assert.That(Shown(insect, 0).triangles, Has.Length.EqualTo(k_Few));
+        }
+
         private static void Show(InsectWings insect, bool seen)
         {
             foreach (Wing wing in insect.Wings)
