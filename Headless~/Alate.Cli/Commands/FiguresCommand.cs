@@ -194,7 +194,7 @@ internal static class FiguresCommand
             string home = Path.Combine(folder, "mymoth");
             WingSource[] pictures =
                 [new(Path.Combine(path, "images", "moth-fore.png")), new(Path.Combine(path, "images", "moth-hind.png"))];
-            var insect = new NewInsect("mymoth", InsectCatalogue.Find(InsectNewCommand.LikeOfTwo), 1600, 25);
+            var insect = new NewInsect("mymoth", InsectCatalogue.Find(InsectNewOptions.LikeOfTwo), 1600, 25);
             using (var made = OutputFolder.Prepare(home))
             {
                 // Not at the end of the command, as other files: they are read here.

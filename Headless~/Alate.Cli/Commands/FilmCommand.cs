@@ -11,136 +11,27 @@ internal static class FilmCommand
 
     public static Command Create(TextWriter output)
     {
-        var species = new Argument<string>("SPECIES")
-        {
-            Arity = ArgumentArity.ZeroOrOne,
-            Description = $"The insect: {KnownSpecies.Names}. None with --scene.",
-        };
+        var options = new FilmOptions();
         var scenes = new SceneOptions();
-        Option<InsectVariant?> variant = FlightOptions.Variant();
-        Option<double?> speed = FlightOptions.Speed();
-        var free = new Option<bool>("--free")
-        {
-            Description =
-            "The insect flies about by its own wings, and the camera goes along; the film plays once."
-        };
-        var compare = new Option<bool>("--compare") { Description = "The four columns of 'compare' beside one another." };
-        var wake = new Option<bool>("--wake") { Description = "Shows the vortex rings that the wings leave, as 'wake' computes them." };
-        var transparent = new Option<bool>("--transparent")
-        {
-            Description = "Nothing lies behind the insect, for a ground of your own: pictures and a .webm video have an opacity.",
-        };
-        Option<BackdropLook?> backdrop = FlightOptions.Backdrop("the insect");
-        Option<int?> beats = Numbers.OptionalCount("--beats", "N", 1, FilmPlan.MostBeats,
-            $"Beats, 1 to {FilmPlan.MostBeats}. [default: {FilmPlan.DefaultBeats}, with --free {FilmPlan.FreeBeats}]");
-        Option<int?> frames = Numbers.OptionalCount(
-            "--frames", "N", FilmPlan.LeastFrames, FilmPlan.MostFrames,
-            $"Frames of a beat, {FilmPlan.LeastFrames} to {FilmPlan.MostFrames}. [default: "
-            + $"{FilmPlan.DefaultFrames}, with --free {FilmPlan.FreeFrames}]");
-        Option<int?> rate = Numbers.OptionalCount(
-            "--rate", "N", 1, FilmPlan.MostRate, $"Frames a second, 1 to {FilmPlan.MostRate}. "
-            + $"[default: {FilmPlan.DefaultRate}, with --scene {SceneFilmPlan.DefaultRate}]");
-        Option<double> turn = Numbers.Option(
-            "--turn", "DEG", 0, -360, 360, "Degrees by which the camera goes around the insect or scene, -360 to 360.");
-        Option<int?> width = Numbers.OptionalCount(
-            "--width", "N", FilmPlan.LeastWidth, FilmPlan.MostWidth,
-            $"Pixels from side to side, {FilmPlan.LeastWidth} to {FilmPlan.MostWidth}. [default: {FilmPlan.DefaultWidth}]");
-        Option<PictureView?> view = FlightOptions.View();
-        var sound = new Option<string>("--sound")
-        {
-            HelpName = "FILE.wav",
-            Description = "Writes the hum of the wings too, as long as the film: a WAV file, in the insect's own time.",
-        };
-        var slowSound = new Option<bool>("--slow-sound")
-        {
-            Description = "With --sound: as slow as the film. Few insects beat fast enough to be heard so.",
-        };
-        var video = new Option<string>("--video")
-        {
-            HelpName = "FILE",
-            Description = "Writes the film as a video too, .mp4 or .webm, with the sound where there is one. Needs ffmpeg.",
-        };
-        var folder = new Option<string>("--out")
-        {
-            HelpName = "DIR",
-            Description = "Where the files go. [default: out/SPECIES-film, out/NAME-film]",
-        };
         var command = new Command(
-            "film", "Films an insect in slow motion, or a sample scene in real time: an animated picture, and its frames.")
-        {
-            species, variant, speed, free, compare, wake, beats, frames, rate, turn, width, view, transparent, backdrop, sound, slowSound,
-            video, folder,
-        };
+            "film", "Films an insect in slow motion, or a sample scene in real time: an animated picture, and its frames.");
+        options.AddTo(command);
         foreach (Option option in scenes.All)
             command.Options.Add(option);
         HelpExamples.Set(command, k_Examples);
-        Option[] ofInsects = [variant, speed, free, compare, wake, beats, frames, view, transparent, backdrop, sound, slowSound];
         command.SetAction(parsed =>
         {
-            if (scenes.Plan(parsed) is { } shownScene)
+            if (scenes.Plan(parsed) is { } scene)
             {
-                Refuse(parsed, species, ofInsects);
-                shownScene = shownScene with
-                {
-                    Rate = parsed.GetValue(rate) ?? SceneFilmPlan.DefaultRate,
-                    Turn = parsed.GetValue(turn),
-                    Width = parsed.GetValue(width) ?? FilmPlan.DefaultWidth,
-                    VideoFile = parsed.GetValue(video),
-                };
-                Run(shownScene, parsed.GetValue(folder) ?? Path.Combine("out", shownScene.Scene.Name + "-film"), output);
+                Run(options.With(parsed, scene), options.Folder(parsed, scene.Scene.Name), output);
                 return 0;
             }
 
-            if (parsed.GetValue(species) == null)
-                throw new UserException($"film takes an insect ({KnownSpecies.Names}) or --scene NAME.");
-            bool isFree = parsed.GetValue(free);
-            if (isFree && (parsed.GetValue(compare) || parsed.GetValue(variant) != null || parsed.GetValue(speed) != null))
-                throw new UserException("--free flies with the variant flight; it takes neither --compare, --variant nor --speed.");
-            if (parsed.GetValue(wake) && (isFree || parsed.GetValue(compare)))
-                throw new UserException("--wake goes with one insect on the spot, neither with --free nor with --compare.");
-            if (parsed.GetValue(transparent) && parsed.GetValue(compare))
-                throw new UserException("--transparent goes with one insect, not with --compare, whose words need a ground.");
-            if (parsed.GetValue(backdrop) != null && (parsed.GetValue(compare) || parsed.GetValue(transparent)))
-                throw new UserException("--backdrop is a wall behind one insect; it goes neither with --compare nor with --transparent.");
-            if (parsed.GetValue(slowSound) && parsed.GetValue(sound) == null)
-                throw new UserException("--slow-sound needs --sound FILE.wav.");
-            InsectVariant shown = isFree ? InsectVariant.Flight : parsed.GetValue(variant) ?? InsectVariant.Standard;
-            InsectDefinition insect = KnownSpecies.Find(parsed.GetValue(species), shown);
-            var flight = FlightPlan.Cruise(insect, shown);
-            var plan = new FilmPlan
-            {
-                Flight = flight with
-                {
-                    Speed = parsed.GetValue(speed) ?? flight.Speed,
-                    View = parsed.GetValue(view)
-                    ?? PictureView.FrontLeft
-                },
-                Columns = parsed.GetValue(compare) ? ComparisonColumn.All : [ComparisonColumn.FullModel],
-                IsFree = isFree,
-                HasWake = parsed.GetValue(wake),
-                IsTransparent = parsed.GetValue(transparent),
-                Backdrop = parsed.GetValue(backdrop),
-                Beats = parsed.GetValue(beats) ?? (isFree ? FilmPlan.FreeBeats : FilmPlan.DefaultBeats),
-                Frames = parsed.GetValue(frames) ?? (isFree ? FilmPlan.FreeFrames : FilmPlan.DefaultFrames),
-                Rate = parsed.GetValue(rate) ?? FilmPlan.DefaultRate,
-                Turn = parsed.GetValue(turn),
-                Width = parsed.GetValue(width) ?? FilmPlan.DefaultWidth,
-                SoundFile = parsed.GetValue(sound),
-                IsSoundSlow = parsed.GetValue(slowSound),
-                VideoFile = parsed.GetValue(video),
-            };
-            Run(plan, parsed.GetValue(folder) ?? Path.Combine("out", insect.Name + "-film"), output);
+            FilmPlan plan = options.Plan(parsed);
+            Run(plan, options.Folder(parsed, plan.Flight.Species), output);
             return 0;
         });
         return command;
-    }
-
-    private static void Refuse(ParseResult parsed, Argument species, IEnumerable<Option> ofInsects)
-    {
-        if (parsed.GetResult(species) is { Tokens.Count: > 0 } named)
-            throw new UserException($"--scene shows its own insects; it takes no {Quote.Of(named.Tokens[0].Value)}.");
-        if (ofInsects.FirstOrDefault(option => parsed.GetResult(option) is { Implicit: false }) is { } given)
-            throw new UserException($"{given.Name} is of one insect; it does not go with --scene.");
     }
 
     private static void Run(SceneFilmPlan plan, string path, TextWriter output)
