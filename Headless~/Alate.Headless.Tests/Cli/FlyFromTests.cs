@@ -8,6 +8,7 @@ using System.Text.Json;
 using System.Text.Json.Nodes;
 using Alate.Catalogue;
 using Alate.Cli;
+using Alate.Tests.Flight;
 using NUnit.Framework;
 
 namespace Alate.Tests.Cli
@@ -18,7 +19,7 @@ namespace Alate.Tests.Cli
         private static readonly string s_Kinematics = Path.Combine(
             PackageRoot.Find(), "Documentation~", "kinematics", "dragonfly-flight-1.json");
 
-        private static readonly string s_Hawkmoth = Path.Combine(PackageRoot.Find(), "Documentation~", "insects", "hawkmoth.insect.json");
+        private static readonly string s_Hawkmoth = FlownInsects.HawkmothFile;
 
         [Test]
         public void AFlightOnTheSpot_IsFlownAgain_ToTheLastByte() => FliesAgain(

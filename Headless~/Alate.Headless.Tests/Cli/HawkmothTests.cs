@@ -3,6 +3,7 @@ using System.Linq;
 using System.Text.Json;
 using Alate.Catalogue;
 using Alate.Cli;
+using Alate.Tests.Flight;
 using NUnit.Framework;
 
 namespace Alate.Tests.Cli
@@ -10,7 +11,7 @@ namespace Alate.Tests.Cli
     /// <summary>The manual's insect file, a hawkmoth from published numbers, in the commands.</summary>
     public sealed class HawkmothTests
     {
-        private static string File => Path.Combine(PackageRoot.Find(), "Documentation~", "insects", "hawkmoth.insect.json");
+        private static string File => FlownInsects.HawkmothFile;
 
         [Test]
         public void TheHawkmoth_CarriesItsWeight_AndIsAsStiffAsMeasured()

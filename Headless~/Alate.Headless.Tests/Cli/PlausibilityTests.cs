@@ -6,6 +6,7 @@ using System.Text.Json;
 using System.Text.Json.Nodes;
 using Alate.Catalogue;
 using Alate.Cli;
+using Alate.Tests.Flight;
 using NUnit.Framework;
 using Unity.Mathematics;
 
@@ -301,6 +302,6 @@ namespace Alate.Tests.Cli
             Assert.That(UnitDoubts.AboutStiffness("wing", 1e2, 1e-4), Does.Contain("1E+06"));
         }
 
-        private static string Hawkmoth => Path.Combine(PackageRoot.Find(), "Documentation~", "insects", "hawkmoth.insect.json");
+        private static string Hawkmoth => FlownInsects.HawkmothFile;
     }
 }

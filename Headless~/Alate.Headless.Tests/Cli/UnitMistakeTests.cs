@@ -5,6 +5,7 @@ using System.IO;
 using System.Linq;
 using Alate.Catalogue;
 using Alate.Cli;
+using Alate.Tests.Flight;
 using NUnit.Framework;
 
 namespace Alate.Tests.Cli
@@ -13,8 +14,7 @@ namespace Alate.Tests.Cli
     public sealed class UnitMistakeTests
     {
         // A hawkmoth of measured stiffness, with all that has a unit.
-        private static readonly string s_Moth = File.ReadAllText(Path.Combine(
-                PackageRoot.Find(), "Documentation~", "insects", "hawkmoth.insect.json"))
+        private static readonly string s_Moth = File.ReadAllText(FlownInsects.HawkmothFile)
             .Replace("\"trims\": \"hawkmoth.trims\",", "")
             .Replace("\"rest\": { ", "\"rest\": { \"feetMillimetres\": [0, -9, 3], ")
             .Replace("\"massMilligrams\": 1579,", "\"massMilligrams\": 1579, \"fluidDensityKilogramsPerCubicMetre\": 1.225,")

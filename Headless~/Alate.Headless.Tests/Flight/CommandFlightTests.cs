@@ -1,5 +1,6 @@
 using System.Collections.Generic;
 using System.Linq;
+using Alate.Tests.Flight;
 using NUnit.Framework;
 using Unity.Mathematics;
 
@@ -10,8 +11,6 @@ namespace Alate.Tests.FreeFlights
     {
         /// <summary>Longest tumble, seconds, and farthest way off the reference, metres, that count as none.</summary>
         private const double k_Tumbled = 0.5, k_Lost = 2.0;
-
-        private static readonly string[] s_Species = ["monarch", "swallowtail", "firefly", "fishfly", "painted-lichen-moth", "dragonfly"];
 
         // Behind, straight down, and back and up: from hovering.
         [TestCase(0f, 0f, -1f)]
@@ -25,6 +24,17 @@ namespace Alate.Tests.FreeFlights
             Assert.That(flight.Tumbled, Is.Zero);
             Assert.That(flight.Lost, Is.LessThan(k_Lost));
             Assert.That(flight.Missed, Is.LessThan(0.6));
+        }
+
+        [Test]
+        public void AHawkmothOfAFile_FliesForAnyGoal_AndByAnyScript()
+        {
+            using var insect = new FlyingInsect(FlownInsects.Hawkmoth);
+            var flight = new CommandFlight(insect, 0.02f);
+            flight.ForAGoal(1000);
+            Assert.That(IsSafe(flight) && flight.Tumbled == 0.0);
+            flight.ByAScript(1000);
+            Assert.That(IsSafe(flight) && flight.Tumbled == 0.0);
         }
 
         [Test]
@@ -44,7 +54,7 @@ namespace Alate.Tests.FreeFlights
 
         [Test, Explicit, Category("Long")]
         public void OfFiveHundredGoals_NoneTumblesAnInsect(
-            [ValueSource(nameof(s_Species))] string species, [Values(0.01f, 0.02f)] float step)
+            [ValueSource(typeof(FlownInsects), nameof(FlownInsects.All))] string species, [Values(0.01f, 0.02f)] float step)
         {
             using var insect = new FlyingInsect(species);
             AssertSafe(500, seed =>
@@ -57,7 +67,7 @@ namespace Alate.Tests.FreeFlights
 
         [Test, Explicit, Category("Long")]
         public void OfTwoHundredScripts_NoneTumblesAnInsect(
-            [ValueSource(nameof(s_Species))] string species, [Values(0.01f, 0.02f)] float step)
+            [ValueSource(typeof(FlownInsects), nameof(FlownInsects.All))] string species, [Values(0.01f, 0.02f)] float step)
         {
             using var insect = new FlyingInsect(species);
             AssertSafe(200, seed =>

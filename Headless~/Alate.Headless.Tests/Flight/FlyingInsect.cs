@@ -2,6 +2,7 @@ using System;
 using System.Collections.Generic;
 using Alate.Catalogue;
 using Alate.Flight;
+using Alate.Tests.Flight;
 using Unity.Mathematics;
 
 namespace Alate.Tests.FreeFlights
@@ -11,7 +12,7 @@ namespace Alate.Tests.FreeFlights
     {
         public FlyingInsect(string species)
         {
-            InsectDefinition insect = InsectCatalogue.Find(species);
+            InsectDefinition insect = FlownInsects.Find(species);
             Model = CatalogueFlight.CreateModel(insect);
             Table = CatalogueFlight.CreateTable(insect, Model);
         }

@@ -1,5 +1,6 @@
 using System.Collections.Generic;
 using System.Linq;
+using Alate.Tests.Flight;
 using NUnit.Framework;
 using Unity.Mathematics;
 
@@ -11,8 +12,6 @@ namespace Alate.Tests.FreeFlights
         /// <summary>Seeds of a flight, and share of the flights into strong gusts that recover.</summary>
         private const int k_Seeds = 10;
         private const double k_Recover = 0.9;
-
-        private static readonly string[] s_Species = ["monarch", "swallowtail", "firefly", "fishfly", "painted-lichen-moth", "dragonfly"];
 
         // From the side: a hovering monarch falls over.
         [Test]
@@ -27,12 +26,12 @@ namespace Alate.Tests.FreeFlights
 
         [Test, Explicit, Category("Long")]
         public void OfGustsOfOneMetreASecond_NoneTumblesAnInsectForASecond(
-            [ValueSource(nameof(s_Species))] string species, [Values] bool wanders) =>
+            [ValueSource(typeof(FlownInsects), nameof(FlownInsects.All))] string species, [Values] bool wanders) =>
             Assert.That(Fly(species, 1f, wanders).Max(flight => flight.Tumbled), Is.LessThanOrEqualTo(1.0), "seconds");
 
         [Test, Explicit, Category("Long")]
         public void OfGustsOfTwoMetresASecond_InsectsRecoverWithinThreeMetres(
-            [ValueSource(nameof(s_Species))] string species, [Values] bool wanders) =>
+            [ValueSource(typeof(FlownInsects), nameof(FlownInsects.All))] string species, [Values] bool wanders) =>
             Assert.That(Fly(species, 2f, wanders).Average(flight => flight.Recovers ? 1.0 : 0.0), Is.GreaterThanOrEqualTo(k_Recover));
 
         private static List<GustFlight> Fly(string species, float speed, bool wanders)

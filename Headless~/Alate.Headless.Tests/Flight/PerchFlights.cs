@@ -19,7 +19,7 @@ namespace Alate.Tests.Flight
 
         private PerchFlights(string name)
         {
-            InsectDefinition species = InsectCatalogue.Find(name);
+            InsectDefinition species = FlownInsects.Find(name);
             m_Model = CatalogueFlight.CreateModel(species);
             m_Table = CatalogueFlight.CreateTable(species, m_Model);
             m_Stand = -species.Wings[0].CreatePreset().Rest.feet.y;

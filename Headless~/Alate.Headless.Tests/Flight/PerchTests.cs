@@ -15,6 +15,7 @@ namespace Alate.Tests.Flight
             Assert.That(PerchFlights.Of("monarch").Fly(seed).Landed);
 
         [TestCase("monarch", 2)]
+        [TestCase(FlownInsects.Hawkmoth, 1)]
         [TestCase("swallowtail", 1, Explicit = true, Category = "Long")]
         [TestCase("firefly", 1)]
         [TestCase("fishfly", 1, Explicit = true, Category = "Long")]
@@ -33,6 +34,7 @@ namespace Alate.Tests.Flight
         [TestCase("fishfly", 100, 45f, 180f, Explicit = true, Category = "Long")]
         [TestCase("painted-lichen-moth", 100, 45f, 180f, Explicit = true, Category = "Long")]
         [TestCase("dragonfly", 100, 45f, 180f, Explicit = true, Category = "Long")]
+        [TestCase(FlownInsects.Hawkmoth, 100, 45f, 180f, Explicit = true, Category = "Long")]
         public void OnWallsAndCeilings_InsectsLand_AndLeave(string name, int count, float least, float most) =>
             FlyAll(name, count, least, most);
 
@@ -42,6 +44,7 @@ namespace Alate.Tests.Flight
         [TestCase("fishfly", 200)]
         [TestCase("painted-lichen-moth", 200)]
         [TestCase("dragonfly", 200)]
+        [TestCase(FlownInsects.Hawkmoth, 200)]
         [Explicit]
         [Category("Long")]
         public void AThousandLandings(string name, int count) => FlyAll(name, count);
@@ -57,6 +60,7 @@ namespace Alate.Tests.Flight
         [TestCase("fishfly", 1, 100, WingDetail.CoarsePatches, Explicit = true, Category = "Long")]
         [TestCase("painted-lichen-moth", 1, 100, WingDetail.CoarsePatches, Explicit = true, Category = "Long")]
         [TestCase("dragonfly", 1, 100, WingDetail.CoarsePatches, Explicit = true, Category = "Long")]
+        [TestCase(FlownInsects.Hawkmoth, 1, 100, WingDetail.CoarsePatches, Explicit = true, Category = "Long")]
         public void InsectsThatComeFlying_BrakeAndLand(string name, int first, int count, WingDetail detail)
         {
             var flights = PerchFlights.Of(name);
@@ -77,6 +81,7 @@ namespace Alate.Tests.Flight
         [TestCase("swallowtail", 30, 0.25f, Explicit = true, Category = "Long")]
         [TestCase("dragonfly", 30, 0.25f, Explicit = true, Category = "Long")]
         [TestCase("painted-lichen-moth", 30, 0.25f, Explicit = true, Category = "Long")]
+        [TestCase(FlownInsects.Hawkmoth, 30, 0.25f, Explicit = true, Category = "Long")]
         public void InAWind_InsectsLandAgainstIt(string name, int count, float wind)
         {
             var flights = PerchFlights.Of(name);
