@@ -70,6 +70,8 @@ internal static class TrimCommand
         {
             string path = Path.Combine(Path.GetDirectoryName(file) ?? "", insect.Name + k_Trims);
             OutputFile.Write(path, stream => stream.Write(Encoding.UTF8.GetBytes(TrimTableText.Write(table, model.Key))));
+            if (FlightReach.Missing(table) is { } missing)
+                output.WriteLine($"{insect.DisplayName}: {missing}. A faster beat, longer wings or less mass carry more.");
             output.WriteLine($"{path}: give the insect file the line \"{InsectKeys.Trims}\": \"{Path.GetFileName(path)}\".");
             return;
         }

@@ -17,6 +17,9 @@ internal sealed record FreeRecord(
     /// <summary>Side and kind of each wing.</summary>
     public IReadOnlyList<string> WingNames { get; init; } = [];
 
+    /// <summary>Sentence about hover and climbs that the table lacks; null where it has both.</summary>
+    public string Missing { get; init; }
+
     /// <summary>[moment][wing] Powers.</summary>
     public IReadOnlyList<WingPower[]> Powers { get; init; } = [];
 

@@ -32,6 +32,7 @@ internal static class FreeRun
         {
             Recording = recording,
             WingNames = Names(plan.Insect, model),
+            Missing = FlightReach.Missing(table),
             Powers = powers,
         };
     }

@@ -40,6 +40,8 @@ internal static class FreeReport
         output.WriteLine(Way(record));
         output.WriteLine(Air(record));
         output.WriteLine(Tumbles(record.Tumbles));
+        if (record.Missing != null)
+            output.WriteLine(record.Missing);
         if (factor >= PathPicture.Larger)
             output.WriteLine(System.FormattableString.Invariant($"path.png shows the insect {factor:0.#} times larger than its way."));
         if (plan.Replay is { } replay)
