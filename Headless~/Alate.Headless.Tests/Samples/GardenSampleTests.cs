@@ -1,7 +1,6 @@
 using System.Collections;
 using System.Collections.Generic;
 using System.Linq;
-using Alate.Cli;
 using Alate.Flight;
 using Alate.Samples;
 using Alate.Showcase;
